@@ -1,0 +1,169 @@
+"""The paper's random instances (Section V-A), with every choice that the paper leaves open as a parameter."""
+
+import numpy as np
+from numba import njit
+
+from .instance import InputError, Instance, Target
+from .motion import earliest_meeting
+
+PAPER_SIZES = (5, 10, 15, 20)
+PAPER_INDICES = range(20)
+_BATCH = 256
+_DIGITS = 9
+
+
+def generate(
+    n_targets,
+    total_window,
+    n_agents=1,
+    seed=0,
+    *,
+    side=100.0,
+    horizon=150.0,
+    max_speed=4.0,
+    target_speed=(0.5, 1.0),
+    n_pieces=4,
+    widest_total_window=60.0,
+    max_tries=1_000_000,
+):
+    """Return a random Instance by the recipe of Section V-A; the defaults are the paper's values.
+
+    n_targets: n; total_window: total length in s of the two equal windows of each target; n_agents: m; seed: any whole
+    number. The same (n_targets, seed) gives the same trajectories for every total_window and n_agents.
+    side: S, the square is centred at the depot (0, 0); horizon: T in s; max_speed: v_max; target_speed: the range from
+    which each target's constant speed is drawn, in units/s.
+
+    Open in the paper, chosen here:
+    n_pieces: straight pieces of each trajectory; their durations are drawn between once and twice a common
+    length, headings uniformly among those that stay inside the square.
+    widest_total_window: windows are nested for every total_window up to this one, so that longer windows contain the
+    shorter ones; the first contains the visit time of a random single-agent tour flown at v_max, at a random place in
+    it, and the second lies anywhere clear of the widest first one.
+    max_tries: how many random orders are tried for that tour before InputError.
+    """
+    _check(n_targets, total_window, seed, side, horizon, max_speed, target_speed, n_pieces, widest_total_window)
+    rng = np.random.default_rng([n_targets, seed])
+    paths = [_trajectory(rng, side, horizon, target_speed, n_pieces) for _ in range(n_targets)]
+    visits = _random_tour(rng, paths, horizon, max_speed, max_tries)
+    targets = [
+        Target(times, points, _windows(rng, visit, total_window / 2, widest_total_window / 2, horizon))
+        for (times, points), visit in zip(paths, visits)
+    ]
+    return Instance(targets, n_agents, (0.0, 0.0), max_speed, horizon)
+
+
+def paper_instance(n, index, total_window=40, n_agents=1):
+    """Return one of the 80 instances of our reproduction: n in 5, 10, 15, 20 targets, index 0 to 19."""
+    if n not in PAPER_SIZES:
+        raise InputError(f"n: expected one of {PAPER_SIZES}, found {n!r}")
+    if index not in PAPER_INDICES:
+        raise InputError(f"index: expected a whole number from 0 to {PAPER_INDICES[-1]}, found {index!r}")
+    return generate(n, total_window, n_agents, seed=index)
+
+
+def _check(n_targets, total_window, seed, side, horizon, max_speed, target_speed, n_pieces, widest):
+    for name, value in (("n_targets", n_targets), ("n_pieces", n_pieces)):
+        if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 1:
+            raise InputError(f"{name}: expected a whole number of at least 1, found {value!r}")
+    if isinstance(seed, bool) or not isinstance(seed, (int, np.integer)) or seed < 0:
+        raise InputError(f"seed: expected a whole number of at least 0, found {seed!r}")
+    for name, value in (("side", side), ("horizon", horizon), ("max_speed", max_speed)):
+        if not (np.isfinite(value) and value > 0):
+            raise InputError(f"{name}: expected a finite number above 0, found {value!r}")
+    if not 0 <= target_speed[0] <= target_speed[1] < max_speed:
+        raise InputError(f"target_speed: expected 0 <= slowest <= fastest < max_speed {max_speed:g}, found {target_speed!r}")
+    if not 0 < total_window <= widest:
+        raise InputError(f"total_window: expected above 0 and at most widest_total_window {widest:g}, found {total_window!r}")
+    if widest > horizon * 2 / 3:
+        raise InputError(f"widest_total_window: expected at most two thirds of the horizon, {horizon * 2 / 3:g}, found {widest:g}")
+
+
+def _trajectory(rng, side, horizon, target_speed, n_pieces):
+    """Draw breakpoint times (n_pieces + 1,) and points inside the square, at one constant speed."""
+    speed = rng.uniform(*target_speed)
+    durations = rng.uniform(1.0, 2.0, n_pieces)
+    times = np.concatenate([[0.0], np.cumsum(durations)]) * (horizon / durations.sum())
+    times[-1] = horizon
+    points = [rng.uniform(-side / 2, side / 2, 2)]
+    for step in np.diff(times) * speed:
+        points.append(_next_point(rng, points[-1], step, side))
+    return np.round(times, _DIGITS), np.round(points, _DIGITS)
+
+
+def _next_point(rng, point, step, side):
+    """Draw a point `step` away in a uniform heading, among the headings that end inside the square.
+
+    From anywhere in the square some corner is at least 0.7 side away, so a step of up to 0.65 side always has room.
+    """
+    if step > 0.65 * side:
+        raise InputError(f"n_pieces: a straight piece of {step:g} units may not fit the square of side {side:g}; use more pieces")
+    while True:
+        heading = rng.uniform(0.0, 2 * np.pi)
+        candidate = point + step * np.array([np.cos(heading), np.sin(heading)])
+        if np.abs(candidate).max() <= side / 2:
+            return candidate
+
+
+def _random_tour(rng, paths, horizon, max_speed, max_tries):
+    """Return the visit time of each target in the first random order that one agent can fly at v_max within T."""
+    times = np.array([path[0] for path in paths])
+    points = np.array([path[1] for path in paths])
+    identity = np.tile(np.arange(len(paths)), (_BATCH, 1))
+    for _ in range(-(-max_tries // _BATCH)):
+        found, visits = _first_flyable(rng.permuted(identity, axis=1), times, points, max_speed, horizon)
+        if found:
+            return visits
+    raise InputError(
+        f"horizon: none of {max_tries} random orders of {len(paths)} targets can be flown by one agent in {horizon:g} s; "
+        "raise the horizon, or have fewer targets"
+    )
+
+
+@njit(cache=True)
+def _first_flyable(orders, times, points, max_speed, horizon):
+    visits = np.zeros(orders.shape[1])
+    for order in orders:
+        t, px, py = 0.0, 0.0, 0.0
+        for u in order:
+            t = _meet_path(px, py, t, times[u], points[u], max_speed)
+            if t > horizon:
+                break
+            piece = min(np.searchsorted(times[u], t, side="right"), len(times[u]) - 1) - 1
+            share = (t - times[u, piece]) / (times[u, piece + 1] - times[u, piece])
+            px = points[u, piece, 0] + share * (points[u, piece + 1, 0] - points[u, piece, 0])
+            py = points[u, piece, 1] + share * (points[u, piece + 1, 1] - points[u, piece, 1])
+            visits[u] = t
+        if t + np.hypot(px, py) / max_speed <= horizon:
+            return True, visits
+    return False, visits
+
+
+@njit(cache=True)
+def _meet_path(px, py, t, times, points, max_speed):
+    """Return the earliest time at which an agent at (px, py) at time t meets the target, infinity if never."""
+    for piece in range(len(times) - 1):
+        start, end = times[piece], times[piece + 1]
+        if end < t:
+            continue
+        velocity = (points[piece + 1] - points[piece]) / (end - start)
+        x, y = points[piece]
+        meeting = earliest_meeting(px, py, t, x, y, start, velocity[0], velocity[1], start, end, max_speed)
+        if meeting < np.inf:
+            return meeting
+    return np.inf
+
+
+def _windows(rng, visit, length, widest, horizon):
+    """Return two disjoint windows (2, 2) of `length` in order of time, the first drawn one holding `visit`."""
+    before, clear, shift = rng.uniform(size=3)
+    main = np.clip(visit - before * length, 0.0, horizon - length)
+    main_widest = np.clip(visit - before * widest, 0.0, horizon - widest)
+    # The other window's widest form starts anywhere in the two stretches that the widest main window leaves free.
+    left = max(main_widest - widest, 0.0)
+    right = max(horizon - main_widest - 2 * widest, 0.0)
+    other = clear * (left + right)
+    if other > left:
+        other += main_widest + widest - left
+    other += shift * (widest - length)
+    starts = np.sort([main, other])
+    return np.round(np.stack([starts, starts + length], axis=1), _DIGITS)

@@ -1,0 +1,112 @@
+"""Solution: the answer of every method and back end, its statuses and its JSON file."""
+
+import dataclasses
+import json
+
+from .instance import InputError, check_header, read_json, require, write_json
+from .tours import Tour
+
+FORMAT = "mamttsp-solution"
+VERSION = 1
+
+OPTIMAL = "optimal"
+FEASIBLE = "feasible"
+INFEASIBLE = "infeasible"
+UNKNOWN = "unknown"
+STATUSES = (OPTIMAL, FEASIBLE, INFEASIBLE, UNKNOWN)
+
+
+@dataclasses.dataclass(frozen=True)
+class Solution:
+    """What a solve found and proved.
+
+    status: "optimal" (gap proved), "feasible" (a limit came first), "infeasible" (proved) or "unknown" (a limit came
+    first, nothing found). objective: total length of the tours, None without tours; bound: proved lower bound on every
+    solution, None if none is known; runtime: solver's wall time in s; build_time: time to build and hand over the model.
+    tours: tuple of Tour; nodes: branch-and-bound nodes; subtour_cuts: cuts added against cycles that nobody flies.
+    """
+
+    status: str
+    objective: float | None
+    bound: float | None
+    runtime: float
+    tours: tuple
+    method: str
+    solver: str
+    modeler: str | None = None
+    build_time: float = 0.0
+    nodes: int | None = None
+    subtour_cuts: int = 0
+
+    @property
+    def gap(self):
+        """(objective - bound) / objective as a fraction, None if either is unknown."""
+        return relative_gap(self.objective, self.bound)
+
+    def to_dict(self):
+        """Return the JSON object of the file format."""
+        return {
+            "format": FORMAT,
+            "version": VERSION,
+            "status": self.status,
+            "method": self.method,
+            "modeler": self.modeler,
+            "solver": self.solver,
+            "objective": self.objective,
+            "bound": self.bound,
+            "gap": self.gap,
+            "runtime_s": self.runtime,
+            "build_time_s": self.build_time,
+            "nodes": self.nodes,
+            "subtour_cuts": self.subtour_cuts,
+            "tours": [tour.to_dict() for tour in self.tours],
+        }
+
+    @classmethod
+    def from_dict(cls, data):
+        """Build a solution from the JSON object; InputError names the field that is wrong."""
+        check_header(data, FORMAT, VERSION)
+        require(data, "", "status", "method", "solver", "objective", "bound", "runtime_s", "tours")
+        if data["status"] not in STATUSES:
+            raise InputError(f"status: expected one of {', '.join(STATUSES)}, found {json.dumps(data['status'])}")
+        if not isinstance(data["tours"], list):
+            raise InputError("tours: expected a list of tours")
+        tours = tuple(Tour.from_dict(tour, f"tours[{k}]") for k, tour in enumerate(data["tours"]))
+        return cls(
+            status=data["status"],
+            objective=_number(data, "objective"),
+            bound=_number(data, "bound"),
+            runtime=_number(data, "runtime_s"),
+            tours=tours,
+            method=data["method"],
+            solver=data["solver"],
+            modeler=data.get("modeler"),
+            build_time=data.get("build_time_s", 0.0),
+            nodes=data.get("nodes"),
+            subtour_cuts=data.get("subtour_cuts", 0),
+        )
+
+    def write(self, path):
+        """Write the solution as JSON."""
+        write_json(self.to_dict(), path)
+
+    @classmethod
+    def read(cls, path):
+        """Read a solution file; InputError starts with the file's name."""
+        return read_json(path, cls.from_dict)
+
+
+def relative_gap(objective, bound):
+    """Return (objective - bound) / objective, 0 where both agree, None if either is unknown."""
+    if objective is None or bound is None:
+        return None
+    if objective <= bound:
+        return 0.0
+    return (objective - bound) / objective
+
+
+def _number(data, field):
+    value = data[field]
+    if value is not None and (isinstance(value, bool) or not isinstance(value, (int, float))):
+        raise InputError(f"{field}: expected a number or null, found {json.dumps(value)}")
+    return value

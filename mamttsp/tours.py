@@ -1,0 +1,244 @@
+"""Tours: visits in order, the best times for a given order (a small SOCP), and the independent checker."""
+
+import dataclasses
+import math
+
+import clarabel
+import numpy as np
+from scipy import sparse
+
+from .instance import InputError
+from .motion import earliest_meeting
+
+#: default tolerance of `check`, relative to the instance's size (lengths) and horizon (times)
+TOLERANCE = 1e-6
+
+
+class TourError(ValueError):
+    """Tours that are not a solution; the message lists every violation, one a line."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Visit:
+    """A visit of `target` (from 0) at `time` in s, at `position` (x, y) in units."""
+
+    target: int
+    time: float
+    position: tuple
+
+
+@dataclasses.dataclass(frozen=True)
+class Tour:
+    """One agent's tour: it leaves the depot at time 0, makes its visits in order and is back at `return_time`."""
+
+    visits: tuple
+    return_time: float
+
+    def to_dict(self):
+        visits = [{"target": v.target, "time": v.time, "position": list(v.position)} for v in self.visits]
+        return {"visits": visits, "return_time": self.return_time}
+
+    @classmethod
+    def from_dict(cls, data, where="tour"):
+        """Build a tour from the JSON object of a solution file; InputError names the field that is wrong."""
+        try:
+            visits = tuple(_visit_from(v, f"{where}.visits[{k}]") for k, v in enumerate(data["visits"]))
+            return cls(visits, _finite(data["return_time"]))
+        except (KeyError, TypeError, ValueError) as error:
+            if isinstance(error, InputError):
+                raise
+            raise InputError(f"{where}: expected visits (a list) and return_time (a number)") from None
+
+
+def _visit_from(data, where):
+    try:
+        x, y = data["position"]
+        target = data["target"]
+        if isinstance(target, bool) or not isinstance(target, int):
+            raise ValueError
+        return Visit(target, _finite(data["time"]), (_finite(x), _finite(y)))
+    except (KeyError, TypeError, ValueError):
+        raise InputError(f"{where}: expected target (a whole number), time and position [x, y]") from None
+
+
+def _finite(value):
+    if isinstance(value, bool) or not math.isfinite(value):
+        raise ValueError
+    return float(value)
+
+
+# --- The checker: reads the instance's own data, never a graph, a formulation or a solver -----------------------------
+
+
+def check(instance, tours, tolerance=TOLERANCE):
+    """Return the total length of the tours, or raise TourError with a line for every violation.
+
+    Independent of every formulation and solver: each target exactly once, inside one of its windows, on its path;
+    no hop faster than max_speed; back by the horizon; at most n_agents tours. Lengths may be off by
+    `tolerance` x the instance's size (the diagonal R), times by `tolerance` x the horizon.
+    """
+    slack = tolerance * instance.horizon
+    faults = _count_faults(instance, tours)
+    total = 0.0
+    for k, tour in enumerate(tours):
+        position, time = instance.depot, 0.0
+        for visit in tour.visits:
+            faults += _visit_faults(instance, k, visit, tolerance)
+            total += _hop(instance, f"tour {k}, to target {visit.target}", position, time, visit.position, visit.time, slack, faults)
+            position, time = np.asarray(visit.position), visit.time
+        total += _hop(instance, f"tour {k}, to the depot", position, time, instance.depot, tour.return_time, slack, faults)
+        if tour.return_time > instance.horizon + slack:
+            faults.append(f"tour {k}: back at {tour.return_time:.9g}, after the horizon {instance.horizon:.9g}")
+    if faults:
+        raise TourError("\n".join(faults))
+    return float(total)
+
+
+def _count_faults(instance, tours):
+    faults = []
+    if len(tours) > instance.n_agents:
+        faults.append(f"{len(tours)} tours for {instance.n_agents} agents")
+    visited = [visit.target for tour in tours for visit in tour.visits]
+    for u in range(instance.n_targets):
+        if (times := visited.count(u)) != 1:
+            faults.append(f"target {u} is visited {times} times, not once")
+    return faults + [f"target {u} does not exist" for u in set(visited) - set(range(instance.n_targets))]
+
+
+def _visit_faults(instance, k, visit, tolerance):
+    if not 0 <= visit.target < instance.n_targets:
+        return []
+    target, slack = instance.targets[visit.target], tolerance * instance.horizon
+    where = f"tour {k}, target {visit.target}"
+    faults = []
+    if not any(start - slack <= visit.time <= end + slack for start, end in target.windows):
+        faults.append(f"{where}: visited at {visit.time:.9g}, outside its windows {target.windows.tolist()}")
+    off = np.linalg.norm(target.position(visit.time) - visit.position)
+    if not off <= tolerance * instance.size:
+        faults.append(f"{where}: {off:.3g} units off its path at time {visit.time:.9g}")
+    return faults
+
+
+def _hop(instance, where, p, t, q, u, slack, faults):
+    """Return the length of a hop, and note it in `faults` if it is faster than max_speed."""
+    length = np.linalg.norm(np.subtract(q, p))
+    if not length <= instance.max_speed * (u - t + slack):
+        faults.append(f"{where}: {length:.9g} units in {u - t:.9g} s, faster than max_speed {instance.max_speed:g}")
+    return length
+
+
+# --- The best times for a given order --------------------------------------------------------------------------------
+
+
+def earliest_times(graph, route):
+    """Return the earliest visit times (len(route),) of the segments in order, or None if they cannot be flown in time.
+
+    route: nodes of V_seg in the order of their visits. Flying at v_max is best for time: movers are slower than agents.
+    """
+    times = np.empty(len(route))
+    t, p = 0.0, graph.p_lo[graph.s]
+    for k, i in enumerate(route):
+        times[k] = t = _meeting(graph, p, t, i)
+        if math.isinf(t):
+            return None
+        p = graph.position(i, t)
+    return None if math.isinf(_meeting(graph, p, t, graph.s_prime)) else times
+
+
+def _meeting(graph, p, t, i):
+    q, v = graph.p_lo[i], graph.v[i]
+    return earliest_meeting(p[0], p[1], t, q[0], q[1], graph.t_lo[i], v[0], v[1], graph.t_lo[i], graph.t_hi[i], graph.max_speed)
+
+
+def best_times(graph, route):
+    """Return (length, times): the shortest tour through the segments of `route` in order, None if none is in time.
+
+    times: (len(route),) visit times in s. The times come from an SOCP (Clarabel) and are then nudged forward onto
+    times that can be flown exactly, so `length` is the length of a real tour, within about 1e-8 of the optimum.
+    """
+    earliest = earliest_times(graph, route)
+    if earliest is None:
+        return None
+    candidates = [earliest]
+    solved = _solve_times(graph, route)
+    if solved is not None:
+        candidates.append(_flyable_times(graph, route, solved))
+    return min(((_length(graph, route, times), times) for times in candidates), key=lambda found: found[0])
+
+
+def best_tours(graph, routes):
+    """Return (length, tours) for a set of routes, each with its best times; None if one of them cannot be flown."""
+    total, tours = 0.0, []
+    for route in routes:
+        found = best_times(graph, route)
+        if found is None:
+            return None
+        total += found[0]
+        tours.append(to_tour(graph, route, found[1]))
+    return total, tours
+
+
+def to_tour(graph, route, times):
+    """Return the Tour through the segments of `route` at the given times, back at the depot as soon as can be."""
+    visits = tuple(
+        Visit(int(graph.tau[i]), float(t), tuple(map(float, graph.position(i, t)))) for i, t in zip(route, times)
+    )
+    home = _meeting(graph, visits[-1].position, visits[-1].time, graph.s_prime) if visits else 0.0
+    return Tour(visits, float(min(home, graph.horizon)))
+
+
+def _length(graph, route, times):
+    stops = np.vstack([graph.p_lo[:1], *(graph.position(i, t)[None] for i, t in zip(route, times)), graph.p_lo[-1:]])
+    return float(np.linalg.norm(np.diff(stops, axis=0), axis=1).sum())
+
+
+def _flyable_times(graph, route, times):
+    """Push each time forward to where the agent can be by then, and clip it into its segment."""
+    flown = np.empty(len(route))
+    t, p = 0.0, graph.p_lo[graph.s]
+    for k, i in enumerate(route):
+        wish = min(max(times[k], graph.t_lo[i]), graph.t_hi[i])
+        soonest = _meeting(graph, p, t, i)
+        flown[k] = t = graph.t_hi[i] if math.isinf(soonest) else max(wish, soonest)
+        p = graph.position(i, t)
+    return flown
+
+
+def _solve_times(graph, route):
+    """Return the optimal visit times of a fixed order, or None if Clarabel does not answer.
+
+    Unknowns: times t_1..t_K and leg lengths l_0..l_K, in the units R and T of the instance so that the data are near one.
+    Rows: windows; l <= v_max * (arrival - departure); ||p_j(t_j) - p_i(t_i)|| <= l.
+    """
+    K, R, T = len(route), graph.size or 1.0, graph.horizon
+    nodes = [graph.s, *route, graph.s_prime]
+    speed = graph.max_speed * T / R
+    p0 = (graph.p_lo[nodes] - graph.t_lo[nodes, None] * graph.v[nodes]) / R  # position extrapolated to time 0
+    v = graph.v[nodes] * T / R
+    v[0] = v[-1] = 0.0
+    # Column k + 1 of `time` picks t_k; the depot's departure is fixed at 0 and the return bounded by T (both constants).
+    time = sparse.eye(K + 2, format="csr")[:, 1:-1]
+    leg = sparse.eye(K + 1, format="csr")
+    hop = sparse.csr_matrix((np.r_[-np.ones(K + 1), np.ones(K + 1)], (np.r_[: K + 1, : K + 1], np.r_[: K + 1, 1 : K + 2])))
+    bound = np.r_[np.zeros(K), 1.0]  # the last arrival may be as late as T
+    lo, hi = graph.t_lo[route] / T, graph.t_hi[route] / T
+    none = sparse.csr_matrix((K, K + 1))
+    linear = sparse.bmat([[-sparse.eye(K), none], [sparse.eye(K), none], [-speed * (hop @ time), leg]])
+    rows, rhs, cones = [linear], [-lo, hi, speed * bound], [clarabel.NonnegativeConeT(3 * K + 1)]
+    offset = np.diff(p0, axis=0)
+    along = [hop @ sparse.diags(v[:, axis]) @ time for axis in (0, 1)]
+    for k in range(K + 1):
+        zero = sparse.csr_matrix((1, K))
+        rows.append(sparse.bmat([[zero, -leg[k]], [-along[0][k], None], [-along[1][k], None]]))
+        rhs.append(np.r_[0.0, offset[k]])
+        cones.append(clarabel.SecondOrderConeT(3))
+    settings = clarabel.DefaultSettings()
+    settings.verbose = False
+    settings.max_threads = 1
+    cost = np.r_[np.zeros(K), np.ones(K + 1)]
+    A = sparse.vstack(rows, format="csc")
+    P = sparse.csc_matrix((2 * K + 1, 2 * K + 1))
+    answer = clarabel.DefaultSolver(P, cost, A, np.concatenate(rhs), cones, settings).solve()
+    if answer.status not in (clarabel.SolverStatus.Solved, clarabel.SolverStatus.AlmostSolved):
+        return None
+    return np.array(answer.x[:K]) * T
