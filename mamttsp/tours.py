@@ -207,38 +207,37 @@ def _flyable_times(graph, route, times):
 def _solve_times(graph, route):
     """Return the optimal visit times of a fixed order, or None if Clarabel does not answer.
 
-    Unknowns: times t_1..t_K and leg lengths l_0..l_K, in the units R and T of the instance so that the data are near one.
-    Rows: windows; l <= v_max * (arrival - departure); ||p_j(t_j) - p_i(t_i)|| <= l.
+    Unknowns: times t_1..t_K and leg lengths l_0..l_K, in the units T and R of the instance so that the data are near one.
+    Rows A x + s = b: windows; l_k <= v_max * (t_k+1 - t_k); ||p_k+1(t_k+1) - p_k(t_k)|| <= l_k as second-order cones.
     """
     K, R, T = len(route), graph.size or 1.0, graph.horizon
     nodes = [graph.s, *route, graph.s_prime]
-    speed = graph.max_speed * T / R
-    p0 = (graph.p_lo[nodes] - graph.t_lo[nodes, None] * graph.v[nodes]) / R  # position extrapolated to time 0
-    v = graph.v[nodes] * T / R
-    v[0] = v[-1] = 0.0
-    # Column k + 1 of `time` picks t_k; the depot's departure is fixed at 0 and the return bounded by T (both constants).
-    time = sparse.eye(K + 2, format="csr")[:, 1:-1]
-    leg = sparse.eye(K + 1, format="csr")
-    hop = sparse.csr_matrix((np.r_[-np.ones(K + 1), np.ones(K + 1)], (np.r_[: K + 1, : K + 1], np.r_[: K + 1, 1 : K + 2])))
-    bound = np.r_[np.zeros(K), 1.0]  # the last arrival may be as late as T
-    lo, hi = graph.t_lo[route] / T, graph.t_hi[route] / T
-    none = sparse.csr_matrix((K, K + 1))
-    linear = sparse.bmat([[-sparse.eye(K), none], [sparse.eye(K), none], [-speed * (hop @ time), leg]])
-    rows, rhs, cones = [linear], [-lo, hi, speed * bound], [clarabel.NonnegativeConeT(3 * K + 1)]
-    offset = np.diff(p0, axis=0)
-    along = [hop @ sparse.diags(v[:, axis]) @ time for axis in (0, 1)]
-    for k in range(K + 1):
-        zero = sparse.csr_matrix((1, K))
-        rows.append(sparse.bmat([[zero, -leg[k]], [-along[0][k], None], [-along[1][k], None]]))
-        rhs.append(np.r_[0.0, offset[k]])
-        cones.append(clarabel.SecondOrderConeT(3))
+    speed, v = graph.max_speed * T / R, graph.v[nodes] * T / R
+    offset = np.diff(graph.p_lo[nodes] - graph.t_lo[nodes, None] * graph.v[nodes], axis=0) / R
+    k, leg = np.arange(K), np.arange(K + 1)
+    before, after = leg[1:], leg[:-1]  # the legs after which t_k comes as tail, and as head
+    cone = 3 * K + 1 + 3 * leg
+    ones = np.ones(K)
+    entries = [
+        (k, k, -ones),
+        (K + k, k, ones),
+        (2 * K + after, k, -speed * ones),
+        (2 * K + before, k, speed * ones),
+        (2 * K + leg, K + leg, np.ones(K + 1)),
+        (cone, K + leg, -np.ones(K + 1)),
+    ]
+    for axis in (0, 1):
+        entries += [(cone[after] + 1 + axis, k, -v[1:-1, axis]), (cone[before] + 1 + axis, k, v[1:-1, axis])]
+    row, column, value = (np.concatenate(part) for part in zip(*entries))
+    A = sparse.csc_matrix((value, (row, column)), shape=(6 * K + 4, 2 * K + 1))
+    limit = np.r_[np.zeros(K), speed]  # t_0 = 0, and the last arrival may be as late as T
+    b = np.r_[-graph.t_lo[route] / T, graph.t_hi[route] / T, limit, np.c_[np.zeros(K + 1), offset].ravel()]
+    cones = [clarabel.NonnegativeConeT(3 * K + 1)] + [clarabel.SecondOrderConeT(3)] * (K + 1)
     settings = clarabel.DefaultSettings()
-    settings.verbose = False
-    settings.max_threads = 1
+    settings.verbose, settings.max_threads = False, 1
     cost = np.r_[np.zeros(K), np.ones(K + 1)]
-    A = sparse.vstack(rows, format="csc")
     P = sparse.csc_matrix((2 * K + 1, 2 * K + 1))
-    answer = clarabel.DefaultSolver(P, cost, A, np.concatenate(rhs), cones, settings).solve()
+    answer = clarabel.DefaultSolver(P, cost, A, b, cones, settings).solve()
     if answer.status not in (clarabel.SolverStatus.Solved, clarabel.SolverStatus.AlmostSolved):
         return None
     return np.array(answer.x[:K]) * T
