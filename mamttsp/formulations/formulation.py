@@ -4,6 +4,7 @@ import importlib
 import time
 
 import numpy as np
+import pyomo.environ as pyo
 
 from ..instance import InputError
 from .equations import EQUATIONS
@@ -32,13 +33,14 @@ class Formulation:
         return self._y_values().reshape(len(self.graph.edges), -1).sum(axis=1)
 
     def add_subtour_cut(self, targets):
-        """Require an edge into the clusters of `targets` from outside: y(delta^-(S)) >= 1 for S their segments.
+        """Forbid cycles among `targets` (numbered from 0): y(E(S)) <= |S| - 1, E(S) being the edges among them.
 
-        This forbids a cycle among these targets (numbered from 0) that misses the depot.
+        With each target entered once this says y(delta^-(S)) >= 1: an agent comes to these targets from outside. The
+        form chosen here also holds its own where pruning has left no edge from outside.
         """
         inside = np.isin(self.graph.tau, list(targets))
         i, j = self.graph.edges.T
-        self._add_cut(np.flatnonzero(~inside[i] & inside[j]))
+        self._add_cut(np.flatnonzero(inside[i] & inside[j]), len(targets) - 1)
 
     def statistics(self):
         """Return the model's size as Statistics."""
@@ -56,9 +58,9 @@ class PyomoFormulation(Formulation):
     def _y_values(self):
         return np.array([y.value for y in self.model.y.values()], dtype=float)
 
-    def _add_cut(self, edges):
+    def _add_cut(self, edges, limit):
         y = np.array(list(self.model.y.values()), dtype=object).reshape(len(self.graph.edges), -1)
-        self.model.subtour_cuts.add(sum(y[edges].flat) >= 1)
+        self.model.subtour_cuts.add(pyo.quicksum(y[edges].flat) <= limit)
 
 
 class CvxpyFormulation(Formulation):
@@ -74,9 +76,9 @@ class CvxpyFormulation(Formulation):
         y = self.model.y
         return np.full(y.shape, np.nan) if y.value is None else np.asarray(y.value)
 
-    def _add_cut(self, edges):
+    def _add_cut(self, edges, limit):
         problem = self.model.problem
-        cut = self.model.y[edges].sum() >= 1
+        cut = self.model.y[edges].sum() <= limit
         self.model.constraints.setdefault("subtour_cuts", []).append(cut)
         self.model.problem = type(problem)(problem.objective, [*problem.constraints, cut])
 
