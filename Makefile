@@ -1,0 +1,59 @@
+# Needs make and Python 3.11 only; everything else goes into .venv.
+PYTHON ?= python3.11
+BIN := .venv/bin
+NOTEBOOKS = $(sort $(wildcard notebooks/*.ipynb))
+# No time stamps in the saved file: the same results give the same bytes.
+RUN_NOTEBOOK = $(BIN)/jupyter nbconvert --to notebook --execute --inplace --log-level=WARN \
+	--ExecutePreprocessor.record_timing=False
+# Two test processes share two cores: each keeps to one thread.
+export OMP_NUM_THREADS ?= 1
+
+.PHONY: help venv reproduce test test-all notebooks figures benchmarks lab
+
+help:
+	@echo "make reproduce   set up, solve an instance, run the notebooks, rebuild every figure"
+	@echo "make test        set up and run the tests (test-all: the slow ones as well)"
+	@echo "make notebooks   run every notebook again and save it"
+	@echo "make figures     rebuild every figure from the committed rows"
+	@echo "make benchmarks  measure again the table in benchmarks/README.md"
+	@echo "make lab         open the notebooks in JupyterLab"
+
+venv: .venv/ready
+
+# `ready` is written last, so that an installation that was cut short starts again.
+.venv/ready: environment.txt
+	@echo "== Installing into .venv (a minute or two) =="
+	$(PYTHON) -m venv --clear .venv
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r environment.txt
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
+	touch $@
+
+reproduce: venv
+	@echo "== 1/3 Solving a paper instance: 10 targets, 3 agents, windows of 40 s =="
+	@mkdir -p build
+	$(BIN)/python -m mamttsp generate --targets 10 --window 40 --agents 3 --seed 7 -o build/instance.json
+	$(BIN)/python -m mamttsp solve build/instance.json --time-limit 120 -o build/solution.json
+	$(BIN)/python -m mamttsp check build/instance.json build/solution.json
+	@echo "== 2/3 Running the notebooks =="
+	@$(MAKE) --no-print-directory notebooks
+	@echo "== 3/3 Rebuilding the figures =="
+	@$(MAKE) --no-print-directory figures
+	@echo "== Done: build/solution.json, notebooks/, figures/ =="
+
+test: venv
+	$(BIN)/python -m pytest -n 2
+
+test-all: venv
+	$(BIN)/python -m pytest -n 2 -m "slow or not slow" --timeout 3600
+
+notebooks: venv
+	@set -e; for notebook in $(NOTEBOOKS); do echo "-- $$notebook"; $(RUN_NOTEBOOK) $$notebook; done
+
+figures: venv
+	$(BIN)/python -m mamttsp figures
+
+benchmarks: venv
+	$(BIN)/python benchmarks/build_models.py
+
+lab: venv
+	$(BIN)/jupyter lab notebooks
