@@ -6,17 +6,15 @@ solver that is not installed costs nothing and harms nobody.
 
 from importlib import import_module
 
-from ..instance import InputError
 from .answer import Answer, Options, Progress, SolverUnavailable
+from .choice import METHODS, MODELERS, SOLVERS, choose
 
-#: the back ends by name, each the module of that name in this package
-SOLVERS = ("scip", "clarabel", "highs", "gurobi", "mosek", "xpress", "copt")
-
-__all__ = ["SOLVERS", "Answer", "Options", "Progress", "SolverUnavailable", "backend"]
+__all__ = ["METHODS", "MODELERS", "SOLVERS", "Answer", "Options", "Progress", "SolverUnavailable", "backend", "choose"]
 
 
 def backend(name):
-    """Return the back end of that name; InputError if there is none."""
-    if name not in SOLVERS:
-        raise InputError(f"solver: expected one of {', '.join(SOLVERS)}, found {name!r}")
-    return import_module(f".{name}", __name__)
+    """Return the back end of that name, one of SOLVERS; SolverUnavailable if its package is not installed."""
+    try:
+        return import_module(f".{name}", __name__)
+    except ImportError as error:
+        raise SolverUnavailable(f"solver: {name} is not installed ({error}); install it with pip") from error

@@ -78,11 +78,11 @@ class Answer:
             raise ValueError(f"status {self.status!r} is not one of {STATUSES}")
 
 
-def finite_or_none(value):
-    """Return `value` as a float, or None for what solvers use as infinity or for no value."""
+def known_length(value):
+    """Return a length or a bound on it as a float of at least 0, or None for infinity and what solvers use as such."""
     if value is None or not math.isfinite(value) or abs(value) >= 1e20:
         return None
-    return float(value)
+    return max(float(value), 0.0)
 
 
 def _number(name, value, least, strict=False):

@@ -6,7 +6,7 @@ import pyscipopt
 from pyscipopt import SCIP_EVENTTYPE
 
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, relative_gap
-from .answer import Answer, Progress, finite_or_none
+from .answer import Answer, Progress, known_length
 from .scip_models import from_cvxpy, from_pyomo, ipopt_options
 
 #: least time in s between two reports of progress
@@ -71,7 +71,7 @@ class _Watch(pyscipopt.Eventhdlr):
         if self.progress is None or now < self.last + _REPORT_EVERY:
             return
         self.last = now
-        objective, bound = (finite_or_none(value()) for value in (self.model.getPrimalbound, self.model.getDualbound))
+        objective, bound = (known_length(value()) for value in (self.model.getPrimalbound, self.model.getDualbound))
         nodes = self.model.getNTotalNodes()
         try:
             self.progress(Progress(now, objective, bound, relative_gap(objective, bound), nodes, "scip"))
@@ -84,7 +84,7 @@ def _answer(scip, load, formulation, runtime):
     if scip.getNSols():
         load(scip.getBestSol())
         objective, flow = scip.getObjVal(), formulation.flow()
-    bound = None if status == "infeasible" else finite_or_none(scip.getDualbound())
+    bound = None if status == "infeasible" else known_length(scip.getDualbound())
     version = f"scip {scip.getMajorVersion()}.{scip.getMinorVersion()}"
     return Answer(_status(status, objective), objective, bound, flow, scip.getNTotalNodes(), runtime, version)
 

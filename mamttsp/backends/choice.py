@@ -1,0 +1,40 @@
+"""Which back end solves which formulation of which modeler, and which one is taken when nobody says."""
+
+from ..instance import InputError
+
+_CONIC = ("baseline", "micp")
+_ALL = ("baseline", "nonconvex", "micp")
+
+#: solver -> modeler -> the methods it solves so; the modeler taken by default comes first
+SOLVERS = {
+    "scip": {"pyomo": _ALL, "cvxpy": _CONIC},
+    "clarabel": {"cvxpy": ("micp",)},
+    "highs": {"cvxpy": _CONIC},
+    "gurobi": {"pyomo": _ALL, "cvxpy": _CONIC},
+    "xpress": {"pyomo": _ALL, "cvxpy": _CONIC},
+    "copt": {"cvxpy": _CONIC},
+    "mosek": {"cvxpy": _CONIC, "pyomo": _CONIC},
+}
+METHODS = _ALL
+MODELERS = ("pyomo", "cvxpy")
+#: by method: the open solvers in order of speed
+_DEFAULTS = {"baseline": ("scip",), "nonconvex": ("scip",), "micp": ("clarabel", "scip")}
+
+
+def choose(method, modeler=None, solver=None):
+    """Return (modeler, solver) for a method, with the default for each that is None.
+
+    InputError: an unknown name, or a solver that does not solve this method with this modeler.
+    """
+    for name, value, known in (("method", method, METHODS), ("modeler", modeler, MODELERS), ("solver", solver, SOLVERS)):
+        if value not in known and not (value is None and name != "method"):
+            raise InputError(f"{name}: expected one of {', '.join(known)}, found {value!r}")
+    for candidate in [solver] if solver else _DEFAULTS[method]:
+        for built_with, methods in SOLVERS[candidate].items():
+            if method in methods and modeler in (None, built_with):
+                return built_with, candidate
+    if solver is None:
+        raise InputError(f"modeler: {modeler} cannot state method {method}; use pyomo")
+    routes = "; ".join(f"{m} {', '.join(methods)}" for m, methods in SOLVERS[solver].items())
+    wanted = f"{method} with {modeler}" if modeler else method
+    raise InputError(f"solver: {solver} does not solve {wanted}; it solves: {routes}")

@@ -1,0 +1,74 @@
+"""The one front door: an instance and a method in, a checked Solution out."""
+
+import dataclasses
+import time
+
+from .backends import METHODS, Options, backend, choose
+from .formulations import build_formulation
+from .graph import build_graph
+from .instance import InputError
+from .paper import PaperSolution, paper_solution
+from .rounds import solve_without_cycles
+from .solution import Solution
+from .tours import check
+
+
+def solve(
+    instance,
+    method="exact",
+    modeler=None,
+    solver=None,
+    time_limit=None,
+    gap=1e-4,
+    threads=1,
+    seed=0,
+    verbose=False,
+    progress=None,
+    prune=False,
+    subtour_cuts=True,
+) -> Solution:
+    """Return a Solution of the instance, its tours checked.
+
+    method: "exact" (our own solver), "micp", "baseline" or "nonconvex" (the paper's formulations).
+    modeler: "pyomo" or "cvxpy", and solver: one of backends.SOLVERS, for a formulation; None takes the fastest open one.
+    time_limit: s of wall time, building included, None for none; gap: relative gap, as a fraction, that counts as optimal;
+    threads, seed, verbose: handed to the solver; progress: called with a backends.Progress now and then.
+    prune: leave out the edges that no agent can fly in time (the exact method always does).
+
+    subtour_cuts: cut off the cycles that a formulation accepts and nobody flies, and solve again until none is left.
+    With False the paper's model is solved once as it stands, and the answer is a PaperSolution.
+
+    A limit, or Ctrl-C, is a status and never an exception. InputError: a bad argument, or a solver that cannot be used
+    here; FlowError: the solver's answer contradicts itself.
+    """
+    options = Options(time_limit, gap, threads, seed, verbose, progress)
+    if method == "exact":
+        return _solve_exact(instance, options, modeler, solver, subtour_cuts)
+    if method not in METHODS:
+        raise InputError(f"method: expected one of exact, {', '.join(METHODS)}, found {method!r}")
+    modeler, solver = choose(method, modeler, solver)
+    start = time.perf_counter()
+    run = backend(solver).solve
+    formulation = build_formulation(method, modeler, build_graph(instance, prune), instance.n_agents)
+    if not subtour_cuts:
+        return paper_solution(formulation, run, options)
+    found = solve_without_cycles(formulation, run, options, start)
+    return _checked(instance, found)
+
+
+def _solve_exact(instance, options, modeler, solver, subtour_cuts):
+    for name, value in (("modeler", modeler), ("solver", solver)):
+        if value is not None:
+            raise InputError(f'{name}: method "exact" has none, found {value!r}; choose a method of {", ".join(METHODS)}')
+    if not subtour_cuts:
+        raise InputError('subtour_cuts: False leaves out the cuts of a formulation, and method "exact" has none')
+    from .exact import solve_exact
+
+    return _checked(instance, solve_exact(instance, options))
+
+
+def _checked(instance, solution):
+    """Return the solution once `check` agrees with its tours; TourError with the reason if it does not."""
+    if not solution.tours:
+        return solution
+    return dataclasses.replace(solution, objective=check(instance, solution.tours))
