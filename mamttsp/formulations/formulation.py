@@ -42,6 +42,15 @@ class Formulation:
         i, j = self.graph.edges.T
         self._add_cut(np.flatnonzero(inside[i] & inside[j]), len(targets) - 1)
 
+    def add_path_cut(self, path):
+        """Forbid one agent to leave the depot and visit the segments of `path` in order: y(path) <= |path| - 1.
+
+        Their targets are entered once each, so a full flow along the path is the flow of a single agent.
+        """
+        index = {edge: e for e, edge in enumerate(map(tuple, self.graph.edges.tolist()))}
+        edges = [index[edge] for edge in zip((self.graph.s, *path[:-1]), path)]
+        self._add_cut(np.array(edges), len(edges) - 1)
+
     def statistics(self):
         """Return the model's size as Statistics."""
         return statistics(self.model)
@@ -77,10 +86,8 @@ class CvxpyFormulation(Formulation):
         return np.full(y.shape, np.nan) if y.value is None else np.asarray(y.value)
 
     def _add_cut(self, edges, limit):
-        problem = self.model.problem
         cut = self.model.y[edges].sum() <= limit
         self.model.constraints.setdefault("subtour_cuts", []).append(cut)
-        self.model.problem = type(problem)(problem.objective, [*problem.constraints, cut])
 
 
 def build_formulation(method, modeler, graph, n_agents):
