@@ -3,12 +3,13 @@
 import numpy as np
 from numba import njit
 
-from .instance import InputError, Instance, Target
+from .instance import Instance, Target
 from .motion import earliest_meeting
+from .validation import InputError, array, positive, whole
 
 PAPER_SIZES = (5, 10, 15, 20)
 PAPER_INDICES = range(20)
-_BATCH = 256
+_BATCH = 4096
 _DIGITS = 9
 
 
@@ -24,7 +25,7 @@ def generate(
     target_speed=(0.5, 1.0),
     n_pieces=4,
     widest_total_window=60.0,
-    max_tries=1_000_000,
+    max_tries=10_000_000,
 ):
     """Return a random Instance by the recipe of Section V-A; the defaults are the paper's values.
 
@@ -41,12 +42,19 @@ def generate(
     it, and the second lies anywhere clear of the widest first one.
     max_tries: how many random orders are tried for that tour before InputError.
     """
-    _check(n_targets, total_window, seed, side, horizon, max_speed, target_speed, n_pieces, widest_total_window)
-    rng = np.random.default_rng([n_targets, seed])
-    paths = [_trajectory(rng, side, horizon, target_speed, n_pieces) for _ in range(n_targets)]
-    visits = _random_tour(rng, paths, horizon, max_speed, max_tries)
+    for name, value in (("n_targets", n_targets), ("n_pieces", n_pieces), ("max_tries", max_tries)):
+        whole(name, value, 1)
+    whole("seed", seed, 0)
+    for name, value in (("side", side), ("horizon", horizon), ("max_speed", max_speed)):
+        positive(name, value)
+    _check_windows(total_window, widest_total_window, horizon)
+    _check_target_speed(target_speed, max_speed)
+    # One stream for each part, so that none depends on how much another draws.
+    path_rng, tour_rng, window_rng = np.random.default_rng([n_targets, seed]).spawn(3)
+    paths = [_trajectory(path_rng, side, horizon, target_speed, n_pieces) for _ in range(n_targets)]
+    visits = _random_tour(tour_rng, paths, horizon, max_speed, max_tries)
     targets = [
-        Target(times, points, _windows(rng, visit, total_window / 2, widest_total_window / 2, horizon))
+        Target(times, points, _windows(window_rng, visit, total_window / 2, widest_total_window / 2, horizon))
         for (times, points), visit in zip(paths, visits)
     ]
     return Instance(targets, n_agents, (0.0, 0.0), max_speed, horizon)
@@ -61,21 +69,20 @@ def paper_instance(n, index, total_window=40, n_agents=1):
     return generate(n, total_window, n_agents, seed=index)
 
 
-def _check(n_targets, total_window, seed, side, horizon, max_speed, target_speed, n_pieces, widest):
-    for name, value in (("n_targets", n_targets), ("n_pieces", n_pieces)):
-        if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 1:
-            raise InputError(f"{name}: expected a whole number of at least 1, found {value!r}")
-    if isinstance(seed, bool) or not isinstance(seed, (int, np.integer)) or seed < 0:
-        raise InputError(f"seed: expected a whole number of at least 0, found {seed!r}")
-    for name, value in (("side", side), ("horizon", horizon), ("max_speed", max_speed)):
-        if not (np.isfinite(value) and value > 0):
-            raise InputError(f"{name}: expected a finite number above 0, found {value!r}")
-    if not 0 <= target_speed[0] <= target_speed[1] < max_speed:
-        raise InputError(f"target_speed: expected 0 <= slowest <= fastest < max_speed {max_speed:g}, found {target_speed!r}")
-    if not 0 < total_window <= widest:
-        raise InputError(f"total_window: expected above 0 and at most widest_total_window {widest:g}, found {total_window!r}")
-    if widest > horizon * 2 / 3:
-        raise InputError(f"widest_total_window: expected at most two thirds of the horizon, {horizon * 2 / 3:g}, found {widest:g}")
+def _check_windows(total_window, widest, horizon):
+    if positive("widest_total_window", widest) > horizon * 2 / 3:
+        most = horizon * 2 / 3
+        raise InputError(f"widest_total_window: expected at most two thirds of the horizon, {most:g}, found {widest:g}")
+    if positive("total_window", total_window) > widest:
+        raise InputError(f"total_window: expected at most widest_total_window {widest:g}, found {total_window:g}")
+
+
+def _check_target_speed(target_speed, max_speed):
+    slowest, fastest = array("target_speed", target_speed, (2,))
+    if not 0 <= slowest <= fastest < max_speed:
+        raise InputError(
+            f"target_speed: expected 0 <= slowest <= fastest < max_speed {max_speed:g}, found ({slowest:g}, {fastest:g})"
+        )
 
 
 def _trajectory(rng, side, horizon, target_speed, n_pieces):
@@ -108,9 +115,9 @@ def _random_tour(rng, paths, horizon, max_speed, max_tries):
     """Return the visit time of each target in the first random order that one agent can fly at v_max within T."""
     times = np.array([path[0] for path in paths])
     points = np.array([path[1] for path in paths])
-    identity = np.tile(np.arange(len(paths)), (_BATCH, 1))
-    for _ in range(-(-max_tries // _BATCH)):
-        found, visits = _first_flyable(rng.permuted(identity, axis=1), times, points, max_speed, horizon)
+    for start in range(0, max_tries, _BATCH):
+        draws = rng.random((min(_BATCH, max_tries - start), len(paths)))
+        found, visits = _first_flyable(draws, times, points, max_speed, horizon)
         if found:
             return visits
     raise InputError(
@@ -120,37 +127,41 @@ def _random_tour(rng, paths, horizon, max_speed, max_tries):
 
 
 @njit(cache=True)
-def _first_flyable(orders, times, points, max_speed, horizon):
-    visits = np.zeros(orders.shape[1])
-    for order in orders:
+def _first_flyable(draws, times, points, max_speed, horizon):
+    """Return (found, visit times) of the first flyable order; each row of `draws` in [0, 1) shuffles one order.
+
+    An order is shuffled only as far as it is flown: most fail after a few targets.
+    """
+    n = draws.shape[1]
+    order, visits = np.arange(n), np.zeros(n)
+    for draw in draws:
         t, px, py = 0.0, 0.0, 0.0
-        for u in order:
-            t = _meet_path(px, py, t, times[u], points[u], max_speed)
-            if t > horizon:
+        for k in range(n):
+            pick = k + int(draw[k] * (n - k))
+            u = order[pick]
+            order[pick], order[k] = order[k], u
+            t, px, py = _meet_path(px, py, t, times[u], points[u], max_speed)
+            if t + np.sqrt(px * px + py * py) / max_speed > horizon:
                 break
-            piece = min(np.searchsorted(times[u], t, side="right"), len(times[u]) - 1) - 1
-            share = (t - times[u, piece]) / (times[u, piece + 1] - times[u, piece])
-            px = points[u, piece, 0] + share * (points[u, piece + 1, 0] - points[u, piece, 0])
-            py = points[u, piece, 1] + share * (points[u, piece + 1, 1] - points[u, piece, 1])
             visits[u] = t
-        if t + np.hypot(px, py) / max_speed <= horizon:
+        else:
             return True, visits
     return False, visits
 
 
 @njit(cache=True)
 def _meet_path(px, py, t, times, points, max_speed):
-    """Return the earliest time at which an agent at (px, py) at time t meets the target, infinity if never."""
+    """Return the earliest (time, x, y) at which an agent at (px, py) at time t meets the target; time inf if never."""
     for piece in range(len(times) - 1):
         start, end = times[piece], times[piece + 1]
         if end < t:
             continue
-        velocity = (points[piece + 1] - points[piece]) / (end - start)
-        x, y = points[piece]
-        meeting = earliest_meeting(px, py, t, x, y, start, velocity[0], velocity[1], start, end, max_speed)
+        x, y = points[piece, 0], points[piece, 1]
+        vx, vy = (points[piece + 1, 0] - x) / (end - start), (points[piece + 1, 1] - y) / (end - start)
+        meeting = earliest_meeting(px, py, t, x, y, start, vx, vy, start, end, max_speed)
         if meeting < np.inf:
-            return meeting
-    return np.inf
+            return meeting, x + (meeting - start) * vx, y + (meeting - start) * vy
+    return np.inf, px, py
 
 
 def _windows(rng, visit, length, widest, horizon):

@@ -1,19 +1,15 @@
-"""Target and Instance: the data of an MA-MT-TSP (Section II), its validation and its JSON file."""
+"""Target and Instance: the data of an MA-MT-TSP (Section II) and its JSON file."""
 
 import dataclasses
 import json
-import math
-import os
-from pathlib import Path
 
 import numpy as np
 
+from .jsonfile import check_header, read_json, require, write_json
+from .validation import InputError, array, positive, whole
+
 FORMAT = "mamttsp-instance"
 VERSION = 1
-
-
-class InputError(ValueError):
-    """Bad input from a person: one line that names the field, what is wrong and what would be right."""
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -31,7 +27,7 @@ class Target:
 
     def __post_init__(self):
         for name, shape in (("times", (-1,)), ("points", (-1, 2)), ("windows", (-1, 2))):
-            object.__setattr__(self, name, _array(name, getattr(self, name), shape))
+            object.__setattr__(self, name, array(name, getattr(self, name), shape))
         _check_path(self.times, self.points)
         _check_windows(self.times, self.windows)
 
@@ -63,10 +59,10 @@ class Instance:
 
     def __post_init__(self):
         object.__setattr__(self, "targets", tuple(self.targets))
-        object.__setattr__(self, "depot", _array("depot", self.depot, (2,)))
+        object.__setattr__(self, "depot", array("depot", self.depot, (2,)))
         for name in ("max_speed", "horizon"):
-            object.__setattr__(self, name, _positive(name, getattr(self, name)))
-        object.__setattr__(self, "n_agents", _count("n_agents", self.n_agents))
+            object.__setattr__(self, name, positive(name, getattr(self, name)))
+        object.__setattr__(self, "n_agents", whole("n_agents", self.n_agents, 1))
         _check_targets(self)
 
     @property
@@ -121,56 +117,6 @@ class Instance:
         return hash(json.dumps(self.to_dict(), sort_keys=True))
 
 
-# --- JSON, shared with the solution file ---------------------------------------------------------------------------
-
-
-def read_json(path, build):
-    """Read the JSON file at `path` and return build(object); every InputError is prefixed with the path."""
-    try:
-        text = Path(path).read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from error
-    try:
-        return build(json.loads(text, parse_constant=_no_constant))
-    except json.JSONDecodeError as error:
-        raise InputError(f"{path}: not JSON: {error.msg} at line {error.lineno}, column {error.colno}") from error
-    except InputError as error:
-        raise InputError(f"{path}: {error}") from error
-
-
-def write_json(data, path):
-    """Write `data` as JSON to `path` through a temporary file, so that a failure leaves the old file as it was."""
-    path = Path(path)
-    temporary = path.with_name(f"{path.name}.{os.getpid()}.tmp")
-    try:
-        temporary.write_text(json.dumps(data, allow_nan=False) + "\n", encoding="utf-8")
-        temporary.replace(path)
-    except OSError as error:
-        temporary.unlink(missing_ok=True)
-        raise InputError(f"{path}: cannot be written: {error.strerror}") from error
-
-
-def check_header(data, expected_format, expected_version):
-    """Reject anything but an object of the expected format and version."""
-    if not isinstance(data, dict):
-        raise InputError(f'expected a JSON object with "format": "{expected_format}"')
-    if data.get("format") != expected_format:
-        raise InputError(f'format: expected "{expected_format}", found {json.dumps(data.get("format"))}')
-    if data.get("version") != expected_version:
-        raise InputError(f"version: expected {expected_version}, found {json.dumps(data.get('version'))}")
-
-
-def require(data, where, *fields):
-    """Reject an object that lacks a field."""
-    for field in fields:
-        if field not in data:
-            raise InputError(f"{where}{field}: missing")
-
-
-def _no_constant(name):
-    raise InputError(f"{name} is not a number that JSON allows; every value must be finite")
-
-
 def _target_from(entry, where):
     if not isinstance(entry, dict):
         raise InputError(f"{where}: expected an object with times, points and windows")
@@ -179,38 +125,6 @@ def _target_from(entry, where):
         return Target(entry["times"], entry["points"], entry["windows"])
     except InputError as error:
         raise InputError(f"{where}.{error}") from error
-
-
-# --- Validation ----------------------------------------------------------------------------------------------------
-
-
-def _array(name, value, shape):
-    """Return `value` as a read-only float array of the shape (-1: any length), or raise InputError."""
-    wanted = "x".join("K" if size < 0 else str(size) for size in shape)
-    try:
-        if any(isinstance(item, (str, bool)) for item in np.asarray(value, dtype=object).ravel()):
-            raise ValueError
-        array = np.array(value, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(f"{name}: expected numbers in the shape {wanted}") from None
-    if array.ndim != len(shape) or any(0 <= want != have for want, have in zip(shape, array.shape)):
-        raise InputError(f"{name}: expected the shape {wanted}, found {'x'.join(map(str, array.shape)) or 'a number'}")
-    if not np.isfinite(array).all():
-        raise InputError(f"{name}: every value must be finite")
-    array.flags.writeable = False
-    return array
-
-
-def _positive(name, value):
-    if isinstance(value, bool) or not isinstance(value, (int, float, np.number)) or not math.isfinite(value) or value <= 0:
-        raise InputError(f"{name}: expected a finite number above 0, found {value!r}")
-    return float(value)
-
-
-def _count(name, value):
-    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 1:
-        raise InputError(f"{name}: expected a whole number of at least 1, found {value!r}")
-    return int(value)
 
 
 def _check_path(times, points):

@@ -3,8 +3,9 @@
 import dataclasses
 import json
 
-from .instance import InputError, check_header, read_json, require, write_json
+from .jsonfile import check_header, read_json, require, write_json
 from .tours import Tour
+from .validation import InputError, is_number
 
 FORMAT = "mamttsp-solution"
 VERSION = 1
@@ -107,6 +108,6 @@ def relative_gap(objective, bound):
 
 def _number(data, field):
     value = data[field]
-    if value is not None and (isinstance(value, bool) or not isinstance(value, (int, float))):
-        raise InputError(f"{field}: expected a number or null, found {json.dumps(value)}")
+    if value is not None and not is_number(value):
+        raise InputError(f"{field}: expected a finite number or null, found {json.dumps(value)}")
     return value
