@@ -1,16 +1,24 @@
 """Multi-Agent Moving-Target Traveling Salesman Problem: the paper's formulations, checked, and an exact solver."""
 
+from .backends import Progress, SolverUnavailable
 from .generate import generate, paper_instance
 from .graph import build_graph
 from .instance import InputError, Instance, Target
+from .paper import PaperSolution
 from .solution import Solution
+from .solve import solve
+from .subtours import FlowError
 from .tours import Tour, TourError, Visit, check
 
 __version__ = "0.1.0"
 __all__ = [
+    "FlowError",
     "InputError",
     "Instance",
+    "PaperSolution",
+    "Progress",
     "Solution",
+    "SolverUnavailable",
     "Target",
     "Tour",
     "TourError",
@@ -19,4 +27,5 @@ __all__ = [
     "check",
     "generate",
     "paper_instance",
+    "solve",
 ]

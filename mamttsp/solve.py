@@ -7,10 +7,13 @@ from .backends import METHODS, Options, backend, choose
 from .formulations import build_formulation
 from .graph import build_graph
 from .instance import InputError
-from .paper import PaperSolution, paper_solution
+from .paper import paper_solution
 from .rounds import solve_without_cycles
 from .solution import Solution
 from .tours import check
+
+#: our own solver, and the paper's formulations
+ALL_METHODS = ("exact", *METHODS)
 
 
 def solve(
@@ -45,7 +48,7 @@ def solve(
     if method == "exact":
         return _solve_exact(instance, options, modeler, solver, subtour_cuts)
     if method not in METHODS:
-        raise InputError(f"method: expected one of exact, {', '.join(METHODS)}, found {method!r}")
+        raise InputError(f"method: expected one of {', '.join(ALL_METHODS)}, found {method!r}")
     modeler, solver = choose(method, modeler, solver)
     start = time.perf_counter()
     run = backend(solver).solve

@@ -12,7 +12,7 @@ from .scip_models import from_cvxpy, from_pyomo, ipopt_options
 #: least time in s between two reports of progress
 _REPORT_EVERY = 0.2
 #: feasibility tolerance; SCIP's own 1e-6 acts on the squared cone and lets the big-M rows of the baseline leak
-_FEASTOL = 1e-9
+_FEASTOL = 1e-7
 
 
 def solve(formulation, options):

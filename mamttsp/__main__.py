@@ -1,0 +1,148 @@
+"""The command line: `python -m mamttsp generate | solve | check | versions`.
+
+Exit status: 0 done; 1 no answer, or a solution that is wrong; 2 bad input or usage, with one line on standard error.
+"""
+
+import argparse
+import sys
+from pathlib import Path
+
+from .backends import MODELERS, SOLVERS
+from .generate import generate
+from .instance import InputError, Instance
+from .progress import ProgressLine
+from .report import table
+from .solution import Solution
+from .solve import ALL_METHODS, solve
+from .subtours import FlowError
+from .tours import TourError, check
+from .versions import versions
+
+
+class _Parser(argparse.ArgumentParser):
+    """Says what is wrong with the usage in one line."""
+
+    def error(self, message):
+        raise InputError(f"{self.prog}: {message}")
+
+
+def main(argv=None):
+    """Run the command line and return its exit status."""
+    try:
+        arguments = _parser().parse_args(argv)
+        return arguments.run(arguments)
+    except InputError as error:
+        print(error, file=sys.stderr)
+        return 2
+    except (FlowError, TourError) as error:
+        print(f"wrong: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        return 1
+
+
+def _generate(arguments):
+    _check_writable(arguments.output)
+    instance = generate(arguments.targets, arguments.window, arguments.agents, arguments.seed)
+    instance.write(arguments.output)
+    print(f"{arguments.output}: {instance.n_targets} targets, {instance.n_agents} agents")
+    return 0
+
+
+def _solve(arguments):
+    instance = _read_instance(arguments)
+    if arguments.output:
+        _check_writable(arguments.output)
+    with ProgressLine(sys.stderr, on=not (arguments.quiet or arguments.verbose)) as line:
+        solution = solve(
+            instance,
+            method=arguments.method,
+            modeler=arguments.modeler,
+            solver=arguments.solver,
+            time_limit=arguments.time_limit,
+            gap=arguments.gap,
+            threads=arguments.threads,
+            seed=arguments.seed,
+            verbose=arguments.verbose,
+            progress=line,
+            prune=arguments.prune,
+        )
+    if arguments.output:
+        solution.write(arguments.output)
+    if not arguments.quiet:
+        print(table(solution))
+    return 0 if solution.tours else 1
+
+
+def _check(arguments):
+    instance, solution = _read_instance(arguments), Solution.read(arguments.solution)
+    length = check(instance, solution.tours)
+    if solution.objective is None or abs(solution.objective - length) > 1e-6 * max(length, instance.size):
+        raise TourError(f"objective: the file says {solution.objective}, the tours' length is {length:.9g}")
+    print(f"correct: {len(solution.tours)} tours, total length {length:.9g}")
+    return 0
+
+
+def _versions(arguments):
+    print(versions())
+    return 0
+
+
+def _read_instance(arguments):
+    instance = Instance.read(arguments.instance)
+    return instance if arguments.agents is None else instance.with_agents(arguments.agents)
+
+
+def _check_writable(path):
+    """Find out before a long solve, not after it, that its answer has no place to go."""
+    folder = Path(path).parent
+    if not folder.is_dir():
+        raise InputError(f"{path}: cannot be written: there is no folder {folder}")
+
+
+def _parser():
+    parser = _Parser(prog="mamttsp", description="The multi-agent moving-target traveling salesman problem.")
+    commands = parser.add_subparsers(required=True, metavar="generate | solve | check | versions")
+
+    command = commands.add_parser("generate", help="write a random instance of the paper's kind")
+    command.add_argument("--targets", type=int, required=True, metavar="N")
+    command.add_argument("--window", type=float, required=True, metavar="SECONDS", help="total window of each target")
+    command.add_argument("--agents", type=int, default=1, metavar="M")
+    command.add_argument("--seed", type=int, default=0)
+    command.add_argument("-o", "--output", required=True, metavar="FILE")
+    command.set_defaults(run=_generate)
+
+    command = commands.add_parser("solve", help="solve an instance")
+    command.add_argument("instance", metavar="INSTANCE")
+    _add_solve_options(command)
+    command.set_defaults(run=_solve)
+
+    command = commands.add_parser("check", help="check a solution, independently of what produced it")
+    command.add_argument("instance", metavar="INSTANCE")
+    command.add_argument("solution", metavar="SOLUTION")
+    command.add_argument("--agents", type=int, metavar="M", help="as given to solve")
+    command.set_defaults(run=_check)
+
+    command = commands.add_parser("versions", help="what to put into a bug report")
+    command.set_defaults(run=_versions)
+    return parser
+
+
+def _add_solve_options(command):
+    command.add_argument("--method", default="exact", help=f"{', '.join(ALL_METHODS)} (default: exact)")
+    command.add_argument("--modeler", help=" or ".join(MODELERS))
+    command.add_argument("--solver", help=", ".join(SOLVERS))
+    command.add_argument("--agents", type=int, metavar="M", help="instead of the instance's own number")
+    command.add_argument("--time-limit", type=float, metavar="SECONDS")
+    command.add_argument("--gap", type=float, default=1e-4, help="relative gap that counts as optimal (default: 1e-4)")
+    command.add_argument("--threads", type=int, default=1)
+    command.add_argument("--seed", type=int, default=0, help="of the solver's own random choices")
+    command.add_argument("--prune", action="store_true", help="leave out edges that no agent can fly in time")
+    command.add_argument("--verbose", action="store_true", help="the solver's own log instead of a progress line")
+    command.add_argument("--quiet", action="store_true", help="neither progress nor result table")
+    command.add_argument("-o", "--output", metavar="FILE", help="write the solution as JSON")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
