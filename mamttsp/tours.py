@@ -7,8 +7,8 @@ import clarabel
 import numpy as np
 from scipy import sparse
 
-from .instance import InputError
 from .motion import earliest_meeting
+from .validation import InputError, is_number
 
 #: default tolerance of `check`, relative to the instance's size (lengths) and horizon (times)
 TOLERANCE = 1e-6
@@ -62,7 +62,7 @@ def _visit_from(data, where):
 
 
 def _finite(value):
-    if isinstance(value, bool) or not math.isfinite(value):
+    if not is_number(value):
         raise ValueError
     return float(value)
 

@@ -1,0 +1,82 @@
+"""Solution: its gap, its file, and files that are not one."""
+
+import json
+import math
+
+import pytest
+
+from mamttsp import InputError, Solution, Tour, Visit
+from mamttsp.solution import STATUSES, relative_gap
+
+SOLUTION = Solution(
+    status="feasible",
+    objective=123.5,
+    bound=100.25,
+    runtime=1.5,
+    tours=(Tour((Visit(0, 12.5, (3.0, 4.0)),), 40.0), Tour((), 0.0)),
+    method="micp",
+    solver="scip 10.0",
+    modeler="pyomo",
+    build_time=0.25,
+    nodes=17,
+    subtour_cuts=1,
+)
+
+
+@pytest.mark.parametrize(
+    "objective, bound, gap",
+    [(100.0, 75.0, 0.25), (100.0, 100.0, 0.0), (100.0, 100.000001, 0.0), (None, 1.0, None), (1.0, None, None), (0.0, 0.0, 0.0)],
+)
+def test_the_gap_is_a_share_of_the_objective(objective, bound, gap):
+    assert relative_gap(objective, bound) == gap
+
+
+def test_a_solution_survives_its_file(tmp_path):
+    SOLUTION.write(tmp_path / "solution.json")
+    assert Solution.read(tmp_path / "solution.json") == SOLUTION
+
+
+def test_an_infeasible_solution_has_nulls_and_no_gap(tmp_path):
+    nothing = Solution("infeasible", None, None, 0.5, (), "exact", "mamttsp 0.1")
+    nothing.write(tmp_path / "solution.json")
+    data = json.loads((tmp_path / "solution.json").read_text())
+    assert data["objective"] is data["bound"] is data["gap"] is None and data["tours"] == []
+    assert Solution.read(tmp_path / "solution.json") == nothing
+
+
+def test_the_file_has_the_fields_of_the_format():
+    data = SOLUTION.to_dict()
+    assert data["format"] == "mamttsp-solution" and data["version"] == 1
+    assert data["runtime_s"] == 1.5 and data["gap"] == pytest.approx(23.25 / 123.5)
+    assert data["tours"][0] == {"visits": [{"target": 0, "time": 12.5, "position": [3.0, 4.0]}], "return_time": 40.0}
+
+
+def test_statuses():
+    assert STATUSES == ("optimal", "feasible", "infeasible", "unknown")
+
+
+@pytest.mark.parametrize(
+    "change, message",
+    [
+        ({"format": "mamttsp-instance"}, 'format: expected "mamttsp-solution", found "mamttsp-instance"'),
+        ({"version": 2}, "version: expected 1, found 2"),
+        ({"status": "great"}, "status: expected one of optimal, feasible, infeasible, unknown"),
+        ({"objective": "low"}, "objective: expected a finite number or null"),
+        ({"bound": True}, "bound: expected a finite number or null"),
+        ({"objective": math.inf}, "objective: expected a finite number or null"),
+        ({"tours": {}}, "tours: expected a list"),
+        ({"tours": [None]}, "tours[0]: expected visits"),
+    ],
+)
+def test_a_bad_field_is_named(change, message):
+    with pytest.raises(InputError) as caught:
+        Solution.from_dict(SOLUTION.to_dict() | change)
+    assert str(caught.value).startswith(message)
+
+
+@pytest.mark.parametrize("field", ["status", "method", "solver", "objective", "bound", "runtime_s", "tours"])
+def test_a_missing_field_is_named(field):
+    data = SOLUTION.to_dict()
+    del data[field]
+    with pytest.raises(InputError, match=f"^{field}: missing"):
+        Solution.from_dict(data)
