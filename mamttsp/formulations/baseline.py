@@ -14,7 +14,7 @@ def build(graph, n_agents):
     start = (graph.p_lo - graph.t_lo[:, None] * graph.v).tolist()  # p_lo_i - t_lo_i v_i
 
     m.l = pyo.Var(E, V_agt, domain=pyo.NonNegativeReals, doc="l_{e,k}: length that agent k flies on edge e")
-    m.l_bar = pyo.Var(E, V_agt, domain=pyo.NonNegativeReals, doc="l_bar_{e,k}: l_{e,k}, or at least R if e is not flown")
+    m.l_bar = pyo.Var(E, V_agt, domain=pyo.NonNegativeReals, doc="l_bar_{e,k}: l_{e,k} where e is flown, else R more")
     m.l_xy = pyo.Var(E, V_agt, m.XY, doc="l_xy_{e,k}: displacement p_{j,k} - p_{i,k}")
 
     @m.Objective(doc="(1) The total length of all tours.")
@@ -26,13 +26,13 @@ def build(graph, n_agents):
         return m.l[i, j, k] <= v_max * (t[j, k] - t[i, k] + T * (1 - y[i, j, k]))
 
     @m.Constraint(E, V_agt, m.XY, doc="(8) The displacement between the positions at both ends.")
-    def hop(m, i, j, k, x):
+    def displacement(m, i, j, k, x):
         p_i = start[i][x] + t[i, k] * v[i][x]
         p_j = start[j][x] + t[j, k] * v[j][x]
         return m.l_xy[i, j, k, x] == p_j - p_i
 
     @m.Constraint(E, V_agt, doc="(9) Big-M: only an edge that is flown has to pay for its length.")
-    def big_M(m, i, j, k):
+    def big_m(m, i, j, k):
         return m.l_bar[i, j, k] == m.l[i, j, k] + R * (1 - y[i, j, k])
 
     @m.Constraint(E, V_agt, doc="(10) Second-order cone: l_bar is at least the length of the displacement.")

@@ -33,11 +33,11 @@ def _add_flow(m, graph, n_agents):
     y, alpha, E_in, E_out = m.y, m.alpha, m.E_in, m.E_out
 
     @m.Constraint(doc="(18) alpha agents leave the depot.")
-    def depot_flow_out(m):
+    def flow_from_depot(m):
         return pyo.quicksum(y[e] for e in E_out[graph.s]) == alpha
 
     @m.Constraint(doc="(19) alpha agents return to the depot.")
-    def depot_flow_in(m):
+    def flow_to_depot(m):
         return pyo.quicksum(y[e] for e in E_in[graph.s_prime]) == alpha
 
     @m.Constraint(doc="(20) At least one agent flies, at most m.")
@@ -45,7 +45,7 @@ def _add_flow(m, graph, n_agents):
         return pyo.inequality(1, alpha, n_agents)
 
     @m.Constraint(m.V_tar, doc="(21) Each target is visited once, on one of its segments.")
-    def target_flow_in(m, u):
+    def one_segment_per_cluster(m, u):
         return pyo.quicksum(y[e] for i in m.C[u] for e in E_in[i]) == 1
 
     @m.Constraint(m.V_seg, doc="(22) An agent that enters a segment leaves it...")
@@ -65,21 +65,21 @@ def _add_perspectives(m, graph):
     start = (graph.p_lo - graph.t_lo[:, None] * graph.v).tolist()  # p_lo_i - t_lo_i v_i
 
     @m.Constraint(m.E, bounds, doc="(23) If e is flown, its tail is left within the tail's time interval.")
-    def time_i(m, i, j, bound):
+    def time_at_tail(m, i, j, bound):
         edge_time, limit = m.z_t[i, j], t[bound][i] * y[i, j]
         return edge_time >= limit if bound == "lower" else edge_time <= limit
 
     @m.Constraint(m.E, bounds, doc="(24) If e is flown, its head is reached within the head's time interval.")
-    def time_j(m, i, j, bound):
+    def time_at_head(m, i, j, bound):
         edge_time, limit = m.z_t_prime[i, j], t[bound][j] * y[i, j]
         return edge_time >= limit if bound == "lower" else edge_time <= limit
 
     @m.Constraint(m.E, m.XY, doc="(25) If e is flown, z_p is the position of its tail at time z_t.")
-    def position_i(m, i, j, x):
+    def position_at_tail(m, i, j, x):
         return m.z_p[i, j, x] == v[i][x] * m.z_t[i, j] + start[i][x] * y[i, j]
 
     @m.Constraint(m.E, m.XY, doc="(26) If e is flown, z'_p is the position of its head at time z'_t.")
-    def position_j(m, i, j, x):
+    def position_at_head(m, i, j, x):
         return m.z_p_prime[i, j, x] == v[j][x] * m.z_t_prime[i, j] + start[j][x] * y[i, j]
 
 
@@ -89,7 +89,7 @@ def _add_lengths(m, v_max):
         return m.l[i, j] <= v_max * (m.z_t_prime[i, j] - m.z_t[i, j])
 
     @m.Constraint(m.E, m.XY, doc="(28) The displacement between the positions at both ends.")
-    def hop(m, i, j, x):
+    def displacement(m, i, j, x):
         return m.l_xy[i, j, x] == m.z_p_prime[i, j, x] - m.z_p[i, j, x]
 
     @m.Constraint(m.E, doc="(29) Second-order cone: l is at least the length of the displacement.")

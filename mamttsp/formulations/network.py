@@ -54,5 +54,5 @@ def add_flow(m, graph):
         return pyo.quicksum(y[e, k] for e in E_in[i]) == pyo.quicksum(y[e, k] for e in E_out[i])
 
     @m.Constraint(m.V, m.V_agt, doc="(6) A visit lies in the node's time interval.")
-    def node_time(m, i, k):
+    def node_time_window(m, i, k):
         return pyo.inequality(t_lo[i], m.t[i, k], t_hi[i])

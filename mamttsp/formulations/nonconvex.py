@@ -34,7 +34,7 @@ def build(graph, n_agents):
         return m.l[i, j, k] <= v_max * (m.z_t_prime[i, j, k] - m.z_t[i, j, k])
 
     @m.Constraint(E, V_agt, XY, doc="(14) The displacement between the positions at both ends.")
-    def hop(m, i, j, k, x):
+    def displacement(m, i, j, k, x):
         return m.l_xy[i, j, k, x] == m.z_p_prime[i, j, k, x] - m.z_p[i, j, k, x]
 
     @m.Constraint(E, V_agt, doc="(15) Second-order cone: l is at least the length of the displacement.")

@@ -2,6 +2,9 @@
 
 from typing import NamedTuple
 
+import pyomo.environ as pyo
+from pyomo.repn import generate_standard_repn
+
 
 class Statistics(NamedTuple):
     """Sizes of a model.
@@ -39,12 +42,10 @@ def statistics(model):
 
 
 def _count_pyomo(model):
-    from pyomo.environ import Constraint, Var
-
-    variables = list(model.component_data_objects(Var))
+    variables = list(model.component_data_objects(pyo.Var))
     rows = {"linear": 0, "cone": 0, "bilinear": 0}
-    for row in model.component_data_objects(Constraint, active=True):
-        rows[_kind(row.body)] += 1 if row.equality else row.has_lb() + row.has_ub()
+    for row in model.component_data_objects(pyo.Constraint, active=True):
+        rows[_kind(row.body)] += row.expr.nargs() - 1  # lower <= body <= upper has three parts, all others two
     binaries = sum(v.is_binary() for v in variables)
     integers = sum(v.is_integer() for v in variables) - binaries
     return Statistics(len(variables), binaries, integers, *rows.values())
@@ -52,8 +53,6 @@ def _count_pyomo(model):
 
 def _kind(body):
     """Tell a linear body, a cone (a quadratic in squares only) and a bilinear body apart."""
-    from pyomo.repn import generate_standard_repn
-
     if body.polynomial_degree() <= 1:
         return "linear"
     squares = all(a is b for a, b in generate_standard_repn(body).quadratic_vars)
@@ -61,11 +60,11 @@ def _kind(body):
 
 
 def _count_cvxpy(problem):
-    from cvxpy import SOC
+    import cvxpy as cp  # here, so that Pyomo models do without cvxpy's slow import
 
     variables = problem.variables()
     binaries = sum(v.size for v in variables if v.attributes["boolean"])
     integers = sum(v.size for v in variables if v.attributes["integer"])
-    cones = sum(c.num_cones() for c in problem.constraints if isinstance(c, SOC))
-    linear_rows = sum(c.size for c in problem.constraints if not isinstance(c, SOC))
+    cones = sum(c.num_cones() for c in problem.constraints if isinstance(c, cp.SOC))
+    linear_rows = sum(c.size for c in problem.constraints if not isinstance(c, cp.SOC))
     return Statistics(sum(v.size for v in variables), binaries, integers, linear_rows, cones, 0)

@@ -1,0 +1,104 @@
+"""From tours to a value for every variable of each formulation: the maps behind the paper's proof of validity."""
+
+import dataclasses
+
+import numpy as np
+
+from ..instance import InputError
+
+
+def assign(formulation, tours):
+    """Give every variable of the formulation its value for these tours; at most m of them, each target once.
+
+    A visit goes to the segment of its target whose time interval holds the visit time.
+    InputError: more tours than agents, or a hop that is not an edge of the graph.
+    """
+    flown = _fly(formulation.graph, formulation.n_agents, [tour for tour in tours if tour.visits])
+    values = _VALUES[formulation.method](formulation.graph, flown)
+    for name, value in values.items():
+        _set(getattr(formulation.model, name), np.asarray(value, dtype=float))
+
+
+def _set(variable, value):
+    """Set a Pyomo variable, a cvxpy variable, or a cvxpy list of coordinates; the last axis of `value` is the XY one."""
+    if isinstance(variable, list):
+        for axis, part in enumerate(variable):
+            part.value = value[..., axis]
+    elif hasattr(variable, "component_data_objects") or hasattr(variable, "index_set"):
+        for component, number in zip(variable.values(), value.flat, strict=True):
+            component.set_value(float(number))
+    else:
+        variable.value = value
+
+
+@dataclasses.dataclass(frozen=True)
+class _Flown:
+    """What the agents do: y (|E|, m) flow; t (|V|, m), p (|V|, m, 2) times and positions, also of nodes not visited."""
+
+    y: np.ndarray
+    t: np.ndarray
+    p: np.ndarray
+
+
+def _fly(graph, n_agents, tours):
+    if len(tours) > n_agents:
+        raise InputError(f"tours: {len(tours)} tours for {n_agents} agents")
+    edge_number = {tuple(edge): e for e, edge in enumerate(graph.edges.tolist())}
+    y = np.zeros((len(graph.edges), n_agents))
+    # A node that the agent does not visit takes the start of its interval: inside (6), and big-M frees all the rest.
+    t = np.tile(graph.t_lo[:, None], n_agents)
+    for k, tour in enumerate(tours):
+        route = [segment_of(graph, visit.target, visit.time) for visit in tour.visits]
+        times = [visit.time for visit in tour.visits] + [tour.return_time]
+        for hop in zip([graph.s, *route], [*route, graph.s_prime]):
+            if hop not in edge_number:
+                raise InputError(f"tours: no edge from node {hop[0]} to node {hop[1]} in the graph")
+            y[edge_number[hop], k] = 1.0
+        t[[*route, graph.s_prime], k] = times
+    t = np.clip(t, graph.t_lo[:, None], graph.t_hi[:, None])
+    p = graph.p_lo[:, None] + (t - graph.t_lo[:, None])[..., None] * graph.v[:, None]
+    return _Flown(y, t, p)
+
+
+def segment_of(graph, u, t):
+    """Return the node of C_u whose time interval holds t, or the one nearest in time."""
+    nodes = graph.C(u)
+    away = np.maximum(graph.t_lo[nodes] - t, t - graph.t_hi[nodes])
+    return int(nodes[np.argmin(np.maximum(away, 0.0))])
+
+
+def _baseline(graph, flown):
+    i, j = graph.edges.T
+    l_xy = flown.p[j] - flown.p[i]
+    l = flown.y * np.linalg.norm(l_xy, axis=-1)
+    return {"y": flown.y, "t": flown.t, "l": l, "l_xy": l_xy, "l_bar": l + graph.size * (1.0 - flown.y)}
+
+
+def _nonconvex(graph, flown):
+    return {"t": flown.t, "p": flown.p} | _edge_values(graph, flown)
+
+
+def _micp(graph, flown):
+    """The theorem's correspondence: at most one agent flies an edge, so that the sum over agents is that agent's value."""
+    values = {name: value.sum(axis=1) for name, value in _edge_values(graph, flown).items()}
+    return {"alpha": values["y"][graph.out_of(graph.s)].sum()} | values
+
+
+def _edge_values(graph, flown):
+    """Return y, l, l_xy and the products (16) of each edge and agent."""
+    i, j = graph.edges.T
+    y, on = flown.y, flown.y[..., None]
+    z_p, z_p_prime = on * flown.p[i], on * flown.p[j]
+    l_xy = z_p_prime - z_p
+    return {
+        "y": y,
+        "l": np.linalg.norm(l_xy, axis=-1),
+        "l_xy": l_xy,
+        "z_p": z_p,
+        "z_t": y * flown.t[i],
+        "z_p_prime": z_p_prime,
+        "z_t_prime": y * flown.t[j],
+    }
+
+
+_VALUES = {"baseline": _baseline, "nonconvex": _nonconvex, "micp": _micp}
