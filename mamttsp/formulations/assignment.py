@@ -3,6 +3,7 @@
 import dataclasses
 
 import numpy as np
+import pyomo.environ as pyo
 
 from ..instance import InputError
 
@@ -10,7 +11,7 @@ from ..instance import InputError
 def assign(formulation, tours):
     """Give every variable of the formulation its value for these tours; at most m of them, each target once.
 
-    A visit goes to the segment of its target whose time interval holds the visit time.
+    `tours`: a list of Tour. A visit goes to the segment of its target whose time interval holds the visit time.
     InputError: more tours than agents, or a hop that is not an edge of the graph.
     """
     flown = _fly(formulation.graph, formulation.n_agents, [tour for tour in tours if tour.visits])
@@ -20,11 +21,11 @@ def assign(formulation, tours):
 
 
 def _set(variable, value):
-    """Set a Pyomo variable, a cvxpy variable, or a cvxpy list of coordinates; the last axis of `value` is the XY one."""
+    """Set a Pyomo variable, a cvxpy variable, or a list of two, one for each coordinate (the last axis of `value`)."""
     if isinstance(variable, list):
         for axis, part in enumerate(variable):
             part.value = value[..., axis]
-    elif hasattr(variable, "component_data_objects") or hasattr(variable, "index_set"):
+    elif isinstance(variable, pyo.Var):
         for component, number in zip(variable.values(), value.flat, strict=True):
             component.set_value(float(number))
     else:
@@ -79,7 +80,7 @@ def _nonconvex(graph, flown):
 
 
 def _micp(graph, flown):
-    """The theorem's correspondence: at most one agent flies an edge, so that the sum over agents is that agent's value."""
+    """The theorem's correspondence: at most one agent flies an edge, so the sum over agents is that agent's value."""
     values = {name: value.sum(axis=1) for name, value in _edge_values(graph, flown).items()}
     return {"alpha": values["y"][graph.out_of(graph.s)].sum()} | values
 

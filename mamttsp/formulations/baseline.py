@@ -3,15 +3,15 @@
 import pyomo.environ as pyo
 
 from .cones import cone
-from .network import agent_network
+from .network import agent_network, motions
 
 
 def build(graph, n_agents):
     """Return the baseline as a ConcreteModel for a Graph and m = n_agents agents."""
     m = agent_network(graph, n_agents, "baseline")  # sets, y, t, eqs (2)-(6)
     E, V_agt, t, y = m.E, m.V_agt, m.t, m.y
-    v, v_max, T, R = graph.v.tolist(), graph.max_speed, graph.horizon, graph.size
-    start = (graph.p_lo - graph.t_lo[:, None] * graph.v).tolist()  # p_lo_i - t_lo_i v_i
+    v_max, T, R = graph.max_speed, graph.horizon, graph.size
+    v, p_0 = motions(graph)
 
     m.l = pyo.Var(E, V_agt, domain=pyo.NonNegativeReals, doc="l_{e,k}: length that agent k flies on edge e")
     m.l_bar = pyo.Var(E, V_agt, domain=pyo.NonNegativeReals, doc="l_bar_{e,k}: l_{e,k} where e is flown, else R more")
@@ -27,8 +27,8 @@ def build(graph, n_agents):
 
     @m.Constraint(E, V_agt, m.XY, doc="(8) The displacement between the positions at both ends.")
     def displacement(m, i, j, k, x):
-        p_i = start[i][x] + t[i, k] * v[i][x]
-        p_j = start[j][x] + t[j, k] * v[j][x]
+        p_i = p_0[i][x] + t[i, k] * v[i][x]
+        p_j = p_0[j][x] + t[j, k] * v[j][x]
         return m.l_xy[i, j, k, x] == p_j - p_i
 
     @m.Constraint(E, V_agt, doc="(9) Big-M: only an edge that is flown has to pay for its length.")

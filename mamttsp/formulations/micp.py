@@ -3,7 +3,7 @@
 import pyomo.environ as pyo
 
 from .cones import cone
-from .network import network
+from .network import motions, network
 
 
 def build(graph, n_agents):
@@ -61,8 +61,7 @@ def _add_perspectives(m, graph):
     """Add (23)-(26): (z_p, z_t) in y_e X_i and (z'_p, z'_t) in y_e X_j, X_i being the segment in space and time."""
     y, bounds = m.y, ("lower", "upper")
     t = {"lower": graph.t_lo.tolist(), "upper": graph.t_hi.tolist()}
-    v = graph.v.tolist()
-    start = (graph.p_lo - graph.t_lo[:, None] * graph.v).tolist()  # p_lo_i - t_lo_i v_i
+    v, p_0 = motions(graph)
 
     @m.Constraint(m.E, bounds, doc="(23) If e is flown, its tail is left within the tail's time interval.")
     def time_at_tail(m, i, j, bound):
@@ -76,11 +75,11 @@ def _add_perspectives(m, graph):
 
     @m.Constraint(m.E, m.XY, doc="(25) If e is flown, z_p is the position of its tail at time z_t.")
     def position_at_tail(m, i, j, x):
-        return m.z_p[i, j, x] == v[i][x] * m.z_t[i, j] + start[i][x] * y[i, j]
+        return m.z_p[i, j, x] == v[i][x] * m.z_t[i, j] + p_0[i][x] * y[i, j]
 
     @m.Constraint(m.E, m.XY, doc="(26) If e is flown, z'_p is the position of its head at time z'_t.")
     def position_at_head(m, i, j, x):
-        return m.z_p_prime[i, j, x] == v[j][x] * m.z_t_prime[i, j] + start[j][x] * y[i, j]
+        return m.z_p_prime[i, j, x] == v[j][x] * m.z_t_prime[i, j] + p_0[j][x] * y[i, j]
 
 
 def _add_lengths(m, v_max):

@@ -22,6 +22,11 @@ def network(graph, name):
     return m
 
 
+def motions(graph):
+    """Return (v, p_0) as lists: node i is at p_0[i] + t v[i], with p_0[i] = p_lo_i - t_lo_i v_i."""
+    return graph.v.tolist(), (graph.p_lo - graph.t_lo[:, None] * graph.v).tolist()
+
+
 def agent_network(graph, n_agents, name):
     """Return a ConcreteModel with the sets, the variables y[i, j, k] and t[i, k], and eqs (2)-(6)."""
     m = network(graph, name)

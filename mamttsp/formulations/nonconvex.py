@@ -3,15 +3,14 @@
 import pyomo.environ as pyo
 
 from .cones import cone
-from .network import agent_network
+from .network import agent_network, motions
 
 
 def build(graph, n_agents):
     """Return the nonconvex program as a ConcreteModel for a Graph and m = n_agents agents."""
     m = agent_network(graph, n_agents, "nonconvex")  # sets, y, t, eqs (2)-(6)
     E, V_agt, XY, t, y = m.E, m.V_agt, m.XY, m.t, m.y
-    v, v_max = graph.v.tolist(), graph.max_speed
-    start = (graph.p_lo - graph.t_lo[:, None] * graph.v).tolist()  # p_lo_i - t_lo_i v_i
+    v, p_0 = motions(graph)
 
     m.p = pyo.Var(m.V, V_agt, XY, doc="p_{i,k}: position of node i at time t_{i,k}")
     m.l = pyo.Var(E, V_agt, domain=pyo.NonNegativeReals, doc="l_{e,k}: length that agent k flies on edge e")
@@ -27,11 +26,11 @@ def build(graph, n_agents):
 
     @m.Constraint(m.V, V_agt, XY, doc="(12) The position of a node at the time of the visit.")
     def node_position(m, i, k, x):
-        return m.p[i, k, x] == start[i][x] + t[i, k] * v[i][x]
+        return m.p[i, k, x] == p_0[i][x] + t[i, k] * v[i][x]
 
     @m.Constraint(E, V_agt, doc="(13) No faster than v_max.")
     def speed(m, i, j, k):
-        return m.l[i, j, k] <= v_max * (m.z_t_prime[i, j, k] - m.z_t[i, j, k])
+        return m.l[i, j, k] <= graph.max_speed * (m.z_t_prime[i, j, k] - m.z_t[i, j, k])
 
     @m.Constraint(E, V_agt, XY, doc="(14) The displacement between the positions at both ends.")
     def displacement(m, i, j, k, x):

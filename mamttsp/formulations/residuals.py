@@ -3,13 +3,15 @@
 import numpy as np
 import pyomo.environ as pyo
 
+from .cones import cone_violation
+
 
 def residuals(model):
     """Return {family: largest violation} of a Pyomo model or a cvxpy formulation whose variables have values.
 
-    The families are those of `EQUATIONS`, and "subtour_cuts" if there are any, with the violation of each row as it is
-    written: in units, s or flow, and in units squared for the cones of Pyomo. "bounds" and "integrality" are those of the
-    variables. A value that is missing, or not a number, is an infinite violation.
+    The families are those of `EQUATIONS`, and "subtour_cuts" if there are any; "bounds" and "integrality" are those of
+    the variables. A violation is in the units of its row (units, s, flow); that of a cone is by how much the
+    displacement exceeds the length. A value that is missing is an infinite violation.
     """
     return _cvxpy_residuals(model) if hasattr(model, "problem") else _pyomo_residuals(model)
 
@@ -21,47 +23,59 @@ def objective(model):
 
 def _pyomo_residuals(model):
     families = model.component_objects(pyo.Constraint, active=True)
-    found = {family.local_name: _worst(_row_violation(row) for row in family.values()) for family in families if family}
+    found = {family.local_name: _pyomo_violation(family) for family in families if len(family)}
     variables = list(model.component_data_objects(pyo.Var))
-    found["bounds"] = _worst(_outside(v.value, v.lb, v.ub) for v in variables)
-    found["integrality"] = _worst(_off_integer(v.value) for v in variables if v.is_integer())
-    return found
+    whole = [v.value for v in variables if v.is_integer()]
+    return found | {"bounds": _outside_bounds(variables, [v.value for v in variables]), "integrality": _fraction(whole)}
 
 
-def _row_violation(row):
-    return _outside(pyo.value(row.body, exception=False), row.lb, row.ub)
+def _pyomo_violation(family):
+    rows = list(family.values())
+    if family.local_name == "norm":
+        return _worst(cone_violation(row) for row in rows)
+    return _outside_bounds(rows, [pyo.value(row.body, exception=False) for row in rows])
+
+
+def _outside_bounds(items, values):
+    """Return how far the worst value is outside [lb, ub] of its variable or row."""
+    x = np.array(values, dtype=float)
+    lower = [-np.inf if item.lb is None else item.lb for item in items]
+    upper = [np.inf if item.ub is None else item.ub for item in items]
+    return _worst(np.maximum(lower - x, x - upper))
 
 
 def _cvxpy_residuals(model):
-    rows = model.constraints.items()
-    found = {family: _worst(_cvxpy_violation(row) for row in constraints) for family, constraints in rows}
+    found = {
+        family: _worst(np.concatenate([_cvxpy_violation(row) for row in rows]))
+        for family, rows in model.constraints.items()
+    }
     variables = model.problem.variables()
-    signed = [v for v in variables if v.is_nonneg()]
-    whole = [v for v in variables if v.attributes["boolean"] or v.attributes["integer"]]
-    found["bounds"] = _worst(_outside(x, 0.0, None) for v in signed for x in _entries(v))
-    found["integrality"] = _worst(_off_integer(x) for v in whole for x in _entries(v))
-    return found
+    below = [-x for v in variables if v.is_nonneg() for x in _entries(v)]
+    whole = [x for v in variables if v.attributes["boolean"] or v.attributes["integer"] for x in _entries(v)]
+    return found | {"bounds": _worst([*below, *(_entries(model.y) - 1.0)]), "integrality": _fraction(whole)}
 
 
 def _cvxpy_violation(row):
-    return np.max(row.violation(), initial=0.0)
+    """Return the violations of the rows of a cvxpy constraint, flat."""
+    if hasattr(row, "cone_sizes"):  # cp.SOC
+        lengths, displacements = row.args
+        if lengths.value is None or displacements.value is None:
+            return np.array([np.nan])
+        return np.linalg.norm(displacements.value, axis=row.axis) - lengths.value
+    return np.ravel(np.array(row.residual, dtype=float))
 
 
-def _entries(v):
-    return [None] if v.value is None else np.ravel(v.value)
+def _entries(variable):
+    return np.ravel(np.array(variable.value, dtype=float))
+
+
+def _fraction(values):
+    """Return how far the worst value is from a whole number."""
+    x = np.array(values, dtype=float)
+    return _worst(np.abs(x - np.round(x)))
 
 
 def _worst(violations):
-    """Return the largest, infinity in place of NaN; 0 if there are none."""
-    return float(np.max(np.nan_to_num(list(violations), nan=np.inf), initial=0.0))
-
-
-def _outside(x, lower, upper):
-    """Return by how much x is outside [lower, upper]; None is no bound."""
-    if x is None:
-        return np.inf
-    return max(0.0, -np.inf if lower is None else lower - x, -np.inf if upper is None else x - upper)
-
-
-def _off_integer(x):
-    return np.inf if x is None else abs(x - round(x))
+    """Return the largest violation, 0 if there is none, infinity if one is not a number."""
+    found = np.array(list(violations), dtype=float)
+    return float(np.max(np.where(np.isnan(found), np.inf, found), initial=0.0))
