@@ -51,6 +51,18 @@ class Formulation(abc.ABC):
         same, y(delta^-(S)) >= 1.
         """
 
+    def add_path_cut(self, path):
+        """Forbid one agent to leave the depot and visit the segments of `path` in order: y(path) <= |path| - 1.
+
+        Their targets are entered once each, so a full flow along the path would be the flow of a single agent.
+        """
+        index = {edge: e for e, edge in enumerate(map(tuple, self.graph.edges.tolist()))}
+        self._limit([index[edge] for edge in zip((self.graph.s, *path[:-1]), path)], len(path) - 1)
+
+    @abc.abstractmethod
+    def _limit(self, edges, limit):
+        """Add the cut y(edges) <= limit, summed over the agents; edges: their indices, or (|E|,) of bool."""
+
     def statistics(self):
         """Return the model's size as Statistics."""
         return statistics(self.model)
@@ -76,8 +88,11 @@ class PyomoFormulation(Formulation):
     def add_subtour_cut(self, targets):
         inside = np.isin(self.graph.tau, list(targets))
         i, j = self.graph.edges.T
+        self._limit(inside[i] & inside[j], len(targets) - 1)
+
+    def _limit(self, edges, limit):
         y = np.array(list(self.model.y.values()), dtype=object).reshape(len(self.graph.edges), -1)
-        self.model.subtour_cuts.add(pyo.quicksum(y[inside[i] & inside[j]].flat) <= len(targets) - 1)
+        self.model.subtour_cuts.add(pyo.quicksum(y[edges].flat) <= limit)
 
 
 class CvxpyFormulation(Formulation):
@@ -94,6 +109,9 @@ class CvxpyFormulation(Formulation):
 
     def add_subtour_cut(self, targets):
         self.model.add_subtour_cut(targets)
+
+    def _limit(self, edges, limit):
+        self.model.add_cut(self.model.y[edges].sum() <= limit)
 
 
 def build_formulation(method, modeler, graph, n_agents):
