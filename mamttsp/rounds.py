@@ -1,7 +1,6 @@
 """Solve a formulation, cut off the cycles that nobody flies, and solve again, until only tours are left."""
 
 import dataclasses
-import time
 
 from .solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, Solution, relative_gap
 from .subtours import FlowError, read_flow, shortest_unflyable, targets_of
@@ -30,19 +29,18 @@ class _Record:
         self.solver = answer.solver
 
 
-def solve_without_cycles(formulation, run, options, start):
+def solve_without_cycles(formulation, run, options, clock):
     """Return the Solution of a formulation, its flow free of cycles that miss the depot.
 
-    run: solve(formulation, options) of a back end; start: perf_counter() from which the time limit counts. Each round's
+    run: solve(formulation, options) of a back end; clock: the Clock that all rounds share. Each round's
     bound holds for all tours, so the greatest one stands. A round that a limit ends is the last; its incumbent counts if
     it is made of tours.
     """
     record = _Record()
     while True:
-        left = _options_left(options, start, record)
-        if left is None:
+        if clock.over:
             return _solution(formulation, record, UNKNOWN)
-        answer = run(formulation, left)
+        answer = run(formulation, _options_left(options, clock))
         record.add(answer)
         if answer.flow is None:
             return _solution(formulation, record, answer.status)
@@ -55,13 +53,11 @@ def solve_without_cycles(formulation, run, options, start):
         record.cuts += _cut(formulation, paths, cycles)
 
 
-def _options_left(options, start, record):
-    """Return the options of the next round, with the time that is left; None if there is none."""
-    spent = time.perf_counter() - start
-    limit = None if options.time_limit is None else options.time_limit - spent
-    if limit is not None and limit <= 0:
-        return None
+def _options_left(options, clock):
+    """Return the options of the next round: the time that is left, and progress that goes on from the time spent."""
+    spent = clock.spent
     report = options.progress and (lambda step: options.progress(dataclasses.replace(step, time=step.time + spent)))
+    limit = None if clock.left is None else max(clock.left, 1e-3)
     return dataclasses.replace(options, time_limit=limit, progress=report)
 
 

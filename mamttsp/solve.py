@@ -1,9 +1,9 @@
 """The one front door: an instance and a method in, a checked Solution out."""
 
 import dataclasses
-import time
 
 from .backends import METHODS, Options, backend, choose
+from .backends.clock import Clock
 from .formulations import build_formulation
 from .graph import build_graph
 from .instance import InputError
@@ -50,12 +50,12 @@ def solve(
     if method not in METHODS:
         raise InputError(f"method: expected one of {', '.join(ALL_METHODS)}, found {method!r}")
     modeler, solver = choose(method, modeler, solver)
-    start = time.perf_counter()
+    clock = Clock(time_limit)
     run = backend(solver).solve
     formulation = build_formulation(method, modeler, build_graph(instance, prune), instance.n_agents)
     if not subtour_cuts:
         return paper_solution(formulation, run, options)
-    found = solve_without_cycles(formulation, run, options, start)
+    found = solve_without_cycles(formulation, run, options, clock)
     return _checked(instance, found)
 
 

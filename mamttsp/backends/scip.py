@@ -1,12 +1,11 @@
 """SCIP, for all three formulations: a Pyomo model goes over as an .nl file, a cvxpy problem as its conic data."""
 
-import time
-
 import pyscipopt
 from pyscipopt import SCIP_EVENTTYPE
 
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, relative_gap
 from .answer import Answer, Progress, known_length
+from .clock import Clock
 from .scip_models import from_cvxpy, from_pyomo, ipopt_options
 
 #: least time in s between two reports of progress
@@ -20,22 +19,15 @@ def solve(formulation, options):
 
     `threads` reaches SCIP's LP solver only: SCIP's own search has one thread.
     """
-    start = time.perf_counter()
+    clock = Clock(options.time_limit)
     convert = from_pyomo if formulation.modeler == "pyomo" else from_cvxpy
     scip, load = convert(formulation.model)
     with ipopt_options() as path:
-        _set_parameters(scip, options, path, options_left(options, start))
-        watch = _Watch(options.progress, start)
+        _set_parameters(scip, options, path, clock.left)
+        watch = _Watch(options.progress, clock)
         scip.includeEventhdlr(watch, "watch", "reports incumbent and bound")
         scip.optimize()
-    return _answer(scip, load, formulation, time.perf_counter() - start)
-
-
-def options_left(options, start):
-    """Return the seconds left of the time limit, None without one."""
-    if options.time_limit is None:
-        return None
-    return max(options.time_limit - (time.perf_counter() - start), 0.0)
+    return _answer(scip, load, formulation, clock.spent)
 
 
 def _set_parameters(scip, options, ipopt_file, time_limit):
@@ -55,8 +47,8 @@ class _Watch(pyscipopt.Eventhdlr):
 
     _EVENTS = (SCIP_EVENTTYPE.BESTSOLFOUND, SCIP_EVENTTYPE.NODESOLVED, SCIP_EVENTTYPE.DUALBOUNDIMPROVED)
 
-    def __init__(self, progress, start):
-        self.progress, self.start, self.last = progress, start, -_REPORT_EVERY
+    def __init__(self, progress, clock):
+        self.progress, self.clock, self.last = progress, clock, -_REPORT_EVERY
 
     def eventinit(self):
         for event in self._EVENTS:
@@ -67,7 +59,7 @@ class _Watch(pyscipopt.Eventhdlr):
             self.model.dropEvent(event, self)
 
     def eventexec(self, event):
-        now = time.perf_counter() - self.start
+        now = self.clock.spent
         if self.progress is None or now < self.last + _REPORT_EVERY:
             return
         self.last = now

@@ -1,0 +1,63 @@
+"""HiGHS with the linear rows of conic data, and tangents of its cones as they come."""
+
+import highspy
+import numpy as np
+
+_SOLVED = (highspy.HighsModelStatus.kOptimal, highspy.HighsModelStatus.kTimeLimit, highspy.HighsModelStatus.kInterrupt)
+
+
+class Master:
+    """A mixed-integer linear program in HiGHS whose optimum bounds the conic program's from below."""
+
+    def __init__(self, data, options):
+        self.data, self.highs = data, highspy.Highs()
+        for name, value in (("threads", options.threads), ("random_seed", options.seed % 2**31), ("mip_rel_gap", options.gap / 2)):
+            self.highs.setOptionValue(name, value)
+        self.highs.setOptionValue("output_flag", options.verbose)
+        self.highs.HandleKeyboardInterrupt = True
+        self.highs.passModel(_linear_part(data))
+        self.integers = np.flatnonzero(data.integer).astype(np.int32)
+
+    def add(self, R, upper):
+        """Add rows R x <= upper."""
+        if len(upper):
+            lower = np.full(len(upper), -highspy.kHighsInf)
+            self.highs.addRows(len(upper), lower, upper, R.nnz, R.indptr[:-1], R.indices, R.data)
+
+    def solve(self, time_left):
+        """Solve as it stands; return (status, x or None, lower bound)."""
+        x = self._run(time_left, relaxed=False)
+        return self.highs.getModelStatus(), x, self.highs.getInfo().mip_dual_bound
+
+    def solve_fixed(self, x, time_left):
+        """Solve with the integers fixed at their values in x; return the new point, None if there is none."""
+        at = np.round(x[self.integers])
+        self.highs.changeColsBounds(len(at), self.integers, at, at)
+        point = self._run(time_left, relaxed=True)
+        lower, upper = self.data.lower[self.integers], self.data.upper[self.integers]
+        self.highs.changeColsBounds(len(at), self.integers, lower, upper)
+        return point
+
+    def _run(self, time_left, relaxed):
+        self.highs.setOptionValue("solve_relaxation", relaxed)
+        if time_left is not None:
+            self.highs.setOptionValue("time_limit", self.highs.getRunTime() + max(time_left, 0.0))
+        self.highs.solve()
+        found = self.highs.getInfo().primal_solution_status == highspy.SolutionStatus.kSolutionStatusFeasible
+        usable = found and self.highs.getModelStatus() in _SOLVED
+        return np.array(self.highs.getSolution().col_value) if usable else None
+
+
+def _linear_part(data):
+    rows = data.n_equal + data.n_linear
+    A, b = data.A[:rows], data.b[:rows]
+    lp = highspy.HighsLp()
+    lp.num_col_, lp.num_row_ = len(data.c), rows
+    lp.col_cost_, lp.col_lower_, lp.col_upper_ = data.c, data.lower, data.upper
+    lp.row_lower_ = np.where(np.arange(rows) < data.n_equal, b, -highspy.kHighsInf)
+    lp.row_upper_ = b
+    lp.a_matrix_.format_ = highspy.MatrixFormat.kRowwise
+    lp.a_matrix_.start_, lp.a_matrix_.index_, lp.a_matrix_.value_ = A.indptr, A.indices, A.data
+    kinds = (highspy.HighsVarType.kContinuous, highspy.HighsVarType.kInteger)
+    lp.integrality_ = [kinds[whole] for whole in data.integer.astype(int)]
+    return lp
