@@ -1,0 +1,102 @@
+"""A mixed-integer conic program in standard form, from a model of either modeler."""
+
+import dataclasses
+
+import numpy as np
+from pyomo.environ import Var
+from pyomo.opt import WriterFactory
+from pyomo.repn import generate_standard_repn
+from scipy import sparse
+
+from .conic_data import conic_data
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class ConicProgram:
+    """min c x with b - A x in a product of cones: first `n_zero` rows zero, then `n_nonneg` rows at least zero, then triples.
+
+    Each triple (head, x, y) has head >= ||(x, y)||. columns: dict from a variable's name in the paper to the
+    array of its columns, edges (or nodes) first. Columns of `y` are binary; their upper bound 1 is left out: one unit
+    of flow enters each cluster and is conserved, so it holds in the continuous relaxation too.
+    """
+
+    c: np.ndarray
+    A: sparse.csr_array
+    b: np.ndarray
+    n_zero: int
+    n_nonneg: int
+    columns: dict
+
+
+def conic_program(formulation):
+    """Return the ConicProgram of a formulation (baseline or MICP), with the cuts that it has by now."""
+    return _from_cvxpy(formulation.model) if formulation.modeler == "cvxpy" else _from_pyomo(formulation.model)
+
+
+def _from_cvxpy(model):
+    data = conic_data(model.problem)
+    columns = _columns_of(data)
+    bounds = _bound_rows(data.lower, data.upper, columns["y"])
+    linear = data.n_equal + data.n_linear
+    A = sparse.vstack([data.A[:linear], bounds[0], data.A[linear:]], format="csr")
+    b = np.concatenate([data.b[:linear], bounds[1], data.b[linear:]])
+    return ConicProgram(data.c, sparse.csr_array(A), b, data.n_equal, data.n_linear + len(bounds[1]), columns)
+
+
+def _columns_of(data):
+    """Load the numbers of the columns into the variables, and read there which variable has which."""
+    data.load(np.arange(len(data.c), dtype=float))
+    columns = {}
+    for variable in data.problem.variables():
+        columns[variable.name()] = np.rint(variable.value).astype(int)
+        variable.value = None
+    return columns
+
+
+def _from_pyomo(model):
+    """The norm constraints are compiled apart: Pyomo's standard form is for linear rows."""
+    model.norm.deactivate()
+    try:
+        form = WriterFactory("compile_standard_form").write(model, mixed_form=True)
+    finally:
+        model.norm.activate()
+    number = {id(variable): k for k, variable in enumerate(form.columns)}
+    columns = {
+        component.local_name: np.array([number[id(variable)] for variable in component.values()])
+        for component in model.component_objects(Var)
+    }
+    kind = np.array([row.bound_type for row in form.rows])
+    A, rhs = sparse.csr_array(form.A), np.asarray(form.rhs, dtype=float)
+    sign = np.where(kind == -1, -1.0, 1.0)  # a row of kind -1 is A x >= rhs
+    A, rhs = sparse.csr_array(sparse.diags_array(sign) @ A), sign * rhs
+    lower, upper = (np.array([np.nan if x is None else x for x in column], dtype=float) for column in _limits(form.columns))
+    bounds = _bound_rows(lower, upper, columns["y"])
+    cones = _cone_rows(model.norm, number, A.shape[1])
+    A = sparse.vstack([A[kind == 0], A[kind != 0], bounds[0], cones], format="csr")
+    b = np.concatenate([rhs[kind == 0], rhs[kind != 0], bounds[1], np.zeros(cones.shape[0])])
+    c = np.asarray(form.c.todense(), dtype=float).ravel()
+    return ConicProgram(c, sparse.csr_array(A), b, int((kind == 0).sum()), int((kind != 0).sum()) + len(bounds[1]), columns)
+
+
+def _limits(variables):
+    return [variable.lb for variable in variables], [variable.ub for variable in variables]
+
+
+def _cone_rows(norm, number, width):
+    """Return the rows of x^2 + y^2 - head^2 <= 0, three for each constraint: head, x, y, each times -1."""
+    picked = []
+    for row in norm.values():
+        form = generate_standard_repn(row.body)
+        order = np.argsort(form.quadratic_coefs, kind="stable")  # the head has the negative coefficient
+        picked += [number[id(form.quadratic_vars[k][0])] for k in order]
+    size = len(picked)
+    return sparse.csr_array((-np.ones(size), (np.arange(size), picked)), shape=(size, width))
+
+
+def _bound_rows(lower, upper, binary):
+    """Return (rows, right sides) of the finite bounds of the columns, but for y <= 1."""
+    unit = sparse.eye_array(len(lower), format="csr")
+    above = np.isfinite(upper)
+    above[binary.ravel()] = False
+    below = np.isfinite(lower)
+    return sparse.vstack([-unit[below], unit[above]]), np.concatenate([-lower[below], upper[above]])

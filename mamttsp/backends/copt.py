@@ -1,0 +1,49 @@
+"""COPT, when installed: cvxpy formulations as conic data (Pyomo has no plugin for it)."""
+
+import coptpy
+import numpy as np
+from coptpy import COPT
+
+from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN
+from .answer import SolverUnavailable
+from .lifted import Found, solve_lifted
+
+_VERSION = f"copt {COPT.VERSION_MAJOR}.{COPT.VERSION_MINOR}"
+
+
+def solve(formulation, options):
+    """Solve a cvxpy formulation; SolverUnavailable without a licence that is large enough."""
+    try:
+        return solve_lifted(formulation, options, _run)
+    except coptpy.CoptError as error:
+        if "licen" in str(error).lower() or "limit" in str(error).lower():
+            raise SolverUnavailable(f"solver: copt cannot solve this model with the licence at hand: {error}") from error
+        raise
+
+
+def _run(program, options, clock):
+    config = coptpy.EnvrConfig()
+    config.set("nobanner", "1")
+    model = coptpy.Envr(config).createModel("mamttsp")
+    model.setParam(COPT.Param.Logging, int(options.verbose))
+    lower = np.where(program.senses == "=", program.b, -COPT.INFINITY)
+    kinds = np.where(program.integer, COPT.INTEGER, COPT.CONTINUOUS)
+    bounds = (np.clip(limit, -COPT.INFINITY, COPT.INFINITY) for limit in (program.lower, program.upper))
+    model.loadMatrix(program.c, program.A.tocsc(), lower, program.b, *bounds, kinds)
+    columns = np.concatenate(program.cones)
+    model.loadCone(len(program.cones), None, [len(cone) for cone in program.cones], columns.tolist())
+    model.setParam(COPT.Param.RelGap, options.gap)
+    model.setParam(COPT.Param.Threads, options.threads)
+    if clock.left is not None:
+        model.setParam(COPT.Param.TimeLimit, clock.left)
+    model.solve()
+    point = np.array(model.getValues()) if model.hasmipsol else None
+    return Found(_status(model), point, model.bestbnd, int(model.nodecnt), _VERSION)
+
+
+def _status(model):
+    if model.status == COPT.OPTIMAL:
+        return OPTIMAL
+    if model.status in (COPT.INFEASIBLE, COPT.INF_OR_UNB):  # lengths cannot be below zero: not unbounded
+        return INFEASIBLE
+    return FEASIBLE if model.hasmipsol else UNKNOWN

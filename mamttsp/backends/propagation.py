@@ -1,0 +1,78 @@
+"""When each edge can be flown, given the edges that are left: earliest and latest times, carried along the edges."""
+
+import math
+
+import numpy as np
+from numba import njit
+
+from ..motion import earliest_meeting
+
+#: s; sweeps go on while some time moves by more than this
+_STEP = 1e-6
+_MAX_SWEEPS = 100
+
+
+def propagate(graph, alive):
+    """Return (alive, times): the edges that can still be flown, and when, or None if some target cannot be reached.
+
+    alive: (|E|,) of bool; times: (|E|, 4), the earliest and latest departure and the earliest and latest arrival of
+    each edge in s. Whatever the edges in `alive` allow, tours or not, keeps to these times: every bound starts at the
+    node's own time window and is only moved as far as all edges into (out of) the node demand.
+    """
+    alive = alive.copy()
+    tail, head = graph.edges.T
+    times = np.empty((len(alive), 4))
+    g = graph
+    _sweep(alive, times, tail, head, g.t_lo, g.t_hi, g.p_lo, g.p_hi, g.v, g.max_speed)
+    entered = np.zeros(g.n_targets + 1, dtype=bool)
+    entered[g.tau[head[alive]]] = True  # tau of s' is -1: the extra entry
+    return (alive, times) if entered[:-1].all() else None
+
+
+@njit(cache=True)
+def _sweep(alive, times, tail, head, t_lo, t_hi, p_lo, p_hi, v, speed):
+    early, late = t_lo.copy(), t_hi.copy()
+    last = len(t_lo) - 1
+    for _ in range(_MAX_SWEEPS):
+        first, final = np.full(len(early), math.inf), np.full(len(early), -math.inf)
+        for e in range(len(alive)):
+            if not alive[e]:
+                continue
+            i, j = tail[e], head[e]
+            arrival = _arrival(i, j, early[i], max(early[j], t_lo[j]), late[j], t_lo, p_lo, v, speed)
+            departure = _departure(i, j, late[j], early[i], late[i], t_hi, p_hi, v, speed)
+            if math.isinf(arrival) or math.isinf(departure):
+                alive[e] = False
+                continue
+            times[e, 0], times[e, 1], times[e, 2], times[e, 3] = early[i], departure, arrival, late[j]
+            first[j] = min(first[j], arrival)
+            final[i] = max(final[i], departure)
+        first[0], final[last] = early[0], late[last]
+        moved = False
+        for i in range(len(early)):
+            # A node that no edge enters or leaves ends up with an empty interval, which stops its other edges.
+            moved = moved or first[i] > early[i] + _STEP or final[i] < late[i] - _STEP
+            early[i], late[i] = max(early[i], first[i]), min(late[i], final[i])
+        if not moved:
+            break
+
+
+@njit(cache=True)
+def _arrival(i, j, t, start, end, t_lo, p_lo, v, speed):
+    """Return the earliest time in [start, end] at j after leaving i at time t, infinity if there is none."""
+    if math.isinf(t) or start > end:
+        return math.inf
+    px, py = p_lo[i, 0] + (t - t_lo[i]) * v[i, 0], p_lo[i, 1] + (t - t_lo[i]) * v[i, 1]
+    return earliest_meeting(px, py, t, p_lo[j, 0], p_lo[j, 1], t_lo[j], v[j, 0], v[j, 1], start, end, speed)
+
+
+@njit(cache=True)
+def _departure(i, j, t, start, end, t_hi, p_hi, v, speed):
+    """Return the latest time in [start, end] at i that reaches j at time t, minus infinity if there is none.
+
+    With time reversed it is the earliest meeting with i after leaving j.
+    """
+    if math.isinf(t) or start > end:
+        return -math.inf
+    px, py = p_hi[j, 0] + (t - t_hi[j]) * v[j, 0], p_hi[j, 1] + (t - t_hi[j]) * v[j, 1]
+    return -earliest_meeting(px, py, -t, p_hi[i, 0], p_hi[i, 1], -t_hi[i], -v[i, 0], -v[i, 1], -end, -start, speed)
