@@ -1,0 +1,93 @@
+"""The forest of labels, layer by layer, and the routes that it closes."""
+
+import numpy as np
+from scipy import sparse
+
+from . import labels as lab
+from . import relaxed
+
+
+class Forest:
+    """All labels whose completion bound is at most `limit`, grown from the depot over the pieces of a relaxation.
+
+    complete: False if it needed more than `most` labels; it then proves nothing. With `beam`, only that many labels of
+    each layer are kept, those of least bound: a heuristic, which proves nothing either.
+    Columns, one for each closed route: visited (J,) uint64, cost (J,) length bound, bound (J,) least value of a solution
+    with it; both without multipliers.
+    """
+
+    def __init__(self, relaxation, pi, limit, most, budget=np.inf, beam=None, out_of_time=lambda: False):
+        self.pieces, self.n, self.complete = relaxation.pieces, relaxation.n, True
+        self._relaxation, self._pi, self._constant = relaxation, pi, pi.sum()
+        self._limit = limit - self._constant
+        to_go = relaxation.completions()
+        self._home = to_go[0]
+        self._completion = relaxed.completions_with_rest(to_go, relaxation.rest)
+        self._grow(most, budget, beam, out_of_time)
+        if self.complete:
+            self._collect()
+
+    @property
+    def size(self):
+        return sum(len(layer.left) for layer in self.layers)
+
+    def _grow(self, most, budget, beam, out_of_time):
+        relaxation, pieces = self._relaxation, self.pieces
+        common = (pieces, self._pi, relaxation.N, self._completion, relaxation.after, self._limit)
+        layer = lab.first_labels(*common)
+        self.layers, self.links = [layer], []
+        for s in range(1, self.n):
+            if beam and len(layer.left) > beam:
+                layer = lab.select(layer, np.sort(np.argpartition(layer.bound, beam)[:beam]))
+                self.layers[-1] = layer
+            room = most - self.size
+            layer, links, self.complete = lab.extend(layer, s, *common, max(room, 0), budget)
+            if not self.complete or out_of_time():
+                self.complete = False
+                return
+            self.layers.append(layer)
+            self.links.append(links)
+            budget -= len(layer.left) * len(pieces.a)
+
+    def _collect(self):
+        """Gather the closed routes of all layers as columns."""
+        self._closing, found = [], []
+        for s, layer in enumerate(self.layers, start=1):
+            bound, cost = lab.closings(layer, s, self.pieces, self._home, self._relaxation.rest[self.n - s])
+            self._closing.append(bound)
+            hits = np.flatnonzero(bound <= self._limit)
+            found.append((np.full(len(hits), s), hits, layer.visited[hits], cost[hits], bound[hits]))
+        self.depth, self.label, self.visited, cost, bound = (np.concatenate(part) for part in zip(*found))
+        self.members = _members(self.visited, self.n)
+        self.cost = cost + self.members.T @ self._pi
+        self.bound = bound + self._constant
+
+    def route(self, column):
+        """Return the pieces of a column's route, in the order of its visits."""
+        x, route = self.label[column], []
+        for layer in reversed(self.layers[: self.depth[column]]):
+            route.append(layer.piece[x])
+            x = layer.parent[x]
+        return route[::-1]
+
+    def used_pieces(self, limit):
+        """Return (after, before): the (s, q) and (k, q) on complete labels of bound at most `limit`, dominated ones included."""
+        n, limit = self.n, limit - self._constant
+        after = np.zeros_like(self._relaxation.after)
+        before = np.zeros_like(self._relaxation.before)
+        least = [np.inf] * (n + 1)
+        for s in range(n, 0, -1):
+            layer, closing = self.layers[s - 1], self._closing[s - 1]
+            value = closing if s == n else lab.best_through(self.links[s - 1], len(closing), least[s + 1], closing)
+            least[s] = value
+            after[s, layer.piece[value <= limit]] = True
+        for s in range(1, n + 1):  # with several agents the routes through (s, q) may have any number of visits to come
+            for k in range(n - s + 1):
+                if np.isfinite(self._relaxation.rest[n - s - k]):
+                    before[k] |= after[s]
+        return after, before & self._relaxation.before
+
+
+def _members(visited, n):
+    bits = (visited[None, :] >> np.arange(n, dtype=np.uint64)[:, None]) & np.uint64(1)
+    return sparse.csc_matrix(bits.astype(float))
