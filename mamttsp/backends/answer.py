@@ -15,6 +15,12 @@ class SolverUnavailable(InputError):
     """A solver that cannot be used here: not installed, no licence, or a model beyond a trial licence."""
 
 
+def licence_trouble(solver, error):
+    """Return the SolverUnavailable for a solver's own error about a licence that is missing or too small."""
+    reason = str(error).strip().splitlines()[0]
+    return SolverUnavailable(f"solver: {solver} cannot solve this model with the licence at hand: {reason}")
+
+
 @dataclasses.dataclass(frozen=True)
 class Progress:
     """A running solve at one moment.

@@ -13,7 +13,7 @@ SOLVERS = {
     "gurobi": {"pyomo": _ALL, "cvxpy": _CONIC},
     "xpress": {"pyomo": _ALL, "cvxpy": _CONIC},
     "copt": {"cvxpy": _CONIC},
-    "mosek": {"cvxpy": _CONIC, "pyomo": _CONIC},
+    "mosek": {"cvxpy": _CONIC},
 }
 METHODS = _ALL
 MODELERS = ("pyomo", "cvxpy")

@@ -5,7 +5,7 @@ import numpy as np
 from coptpy import COPT
 
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN
-from .answer import SolverUnavailable
+from .answer import licence_trouble
 from .lifted import Found, solve_lifted
 
 _VERSION = f"copt {COPT.VERSION_MAJOR}.{COPT.VERSION_MINOR}"
@@ -17,7 +17,7 @@ def solve(formulation, options):
         return solve_lifted(formulation, options, _run)
     except coptpy.CoptError as error:
         if "licen" in str(error).lower() or "limit" in str(error).lower():
-            raise SolverUnavailable(f"solver: copt cannot solve this model with the licence at hand: {error}") from error
+            raise licence_trouble("copt", error) from error
         raise
 
 

@@ -5,7 +5,7 @@ import numpy as np
 from gurobipy import GRB
 
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN
-from .answer import SolverUnavailable
+from .answer import licence_trouble
 from .lifted import Found, report, solve_lifted
 from .pyomo_plugin import solve_with_plugin
 
@@ -22,7 +22,7 @@ def solve(formulation, options):
         return solve_lifted(formulation, options, _run)
     except gurobipy.GurobiError as error:
         if error.errno in _LICENCE:
-            raise SolverUnavailable(f"solver: gurobi cannot solve this model with the licence at hand: {error}") from error
+            raise licence_trouble("gurobi", error) from error
         raise
 
 
