@@ -1,0 +1,84 @@
+"""The drawings hold what they say: each path, window, tour, visit and agent, where it belongs."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+from examples import instance, moving, still
+
+from mamttsp import Tour, Visit
+from mamttsp.figures import COLOURS, LINES, MARKERS, plan_view, space_time_view
+
+INSTANCE = instance(moving((10, 0), (0, 0.2), [(5, 15), (30, 50)]), still(0, 20, [(0, 60)]), n_agents=3)
+TOURS = [Tour((Visit(0, 10.0, (10.0, 2.0)), Visit(1, 20.0, (0.0, 20.0))), 30.0)]
+VIEWS = (plan_view, space_time_view)
+
+
+@pytest.fixture(autouse=True)
+def close_figures():
+    yield
+    plt.close("all")
+
+
+def _legend(ax):
+    return [text.get_text() for text in ax.get_legend().get_texts()]
+
+
+def _lines(ax, colour):
+    """Return the corners of the lines of a colour, (x, y) or (x, y, t) each."""
+    lines = [line for line in ax.lines if line.get_color() == colour and line.get_linestyle() != "None"]
+    return [np.column_stack(line.get_data_3d() if hasattr(line, "get_data_3d") else line.get_data()) for line in lines]
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_the_legend_names_everything_once_and_idle_agents_too(view):
+    expected = ["target's path", "time window", "agent 1", "agent 2 (idle)", "agent 3 (idle)", "depot"]
+    assert _legend(view(INSTANCE, TOURS)) == expected
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_an_empty_tour_is_an_idle_agent(view):
+    assert "agent 2 (idle)" in _legend(view(INSTANCE, [*TOURS, Tour((), 0.0)]))
+
+
+@pytest.mark.parametrize("view, projection", [(plan_view, None), (space_time_view, "3d")])
+def test_it_draws_on_the_axes_it_is_given(view, projection):
+    ax = plt.figure().add_subplot(projection=projection)
+    assert view(INSTANCE, TOURS, ax=ax) is ax
+    assert len(plt.get_fignums()) == 1
+
+
+def test_the_plan_shows_windows_and_tours_where_they_are():
+    ax = plan_view(INSTANCE, TOURS)
+    assert [line.tolist() for line in _lines(ax, "#F5C45E")] == [[[10, 1], [10, 3]], [[10, 6], [10, 10]], [[0, 20], [0, 20]]]
+    assert _lines(ax, COLOURS[0])[0].tolist() == [[0, 0], [10, 2], [0, 20], [0, 0]]
+    labels = {text.get_text(): text.xy for text in ax.texts if text.get_text()}
+    assert labels == {"0": (10.0, 2.0), "1": (0.0, 20.0)}
+
+
+def test_space_time_puts_visits_at_their_times():
+    ax = space_time_view(INSTANCE, TOURS)
+    assert _lines(ax, COLOURS[0])[0].tolist() == [[0, 0, 0], [10, 2, 10], [0, 20, 20], [0, 0, 30]]
+    assert _lines(ax, "#F5C45E")[0].tolist() == [[10, 1, 5], [10, 3, 15]]
+    assert {text.get_text() for text in ax.texts} == {"0", "1"}
+
+
+def test_a_window_across_a_bend_follows_the_path():
+    bent = type(still(0, 0))([0, 10, 100], [[0, 0], [10, 0], [10, 30]], [(5, 40)])
+    assert _lines(plan_view(instance(bent)), "#F5C45E")[0].tolist() == [[5, 0], [10, 0], [10, 10]]
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_an_instance_without_tours_can_be_drawn(view):
+    assert _legend(view(INSTANCE))[2:5] == ["agent 1 (idle)", "agent 2 (idle)", "agent 3 (idle)"]
+
+
+def test_labels_of_visits_at_one_place_do_not_cover_each_other():
+    together = instance(still(10, 0), still(10, 0))
+    tour = Tour((Visit(0, 10.0, (10.0, 0.0)), Visit(1, 11.0, (10.0, 0.0))), 30.0)
+    first, second = (text.xyann for text in plan_view(together, [tour]).texts if text.get_text())
+    assert np.hypot(*np.subtract(first, second)) > 10
+
+
+def test_thirty_agents_are_told_apart():
+    styles = {(COLOURS[k % len(COLOURS)], LINES[k % len(LINES)], MARKERS[k % len(MARKERS)]) for k in range(30)}
+    assert len(styles) == 30
