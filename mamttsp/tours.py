@@ -193,15 +193,30 @@ def _length(graph, route, times):
 
 
 def _flyable_times(graph, route, times):
-    """Push each time forward to where the agent can be by then, and clip it into its segment."""
+    """Pull each time forward to where all later visits can still be made, push it to where the agent can be by then."""
     flown = np.empty(len(route))
     t, p = 0.0, graph.p_lo[graph.s]
-    for k, i in enumerate(route):
-        wish = min(max(times[k], graph.t_lo[i]), graph.t_hi[i])
+    for k, (i, latest) in enumerate(zip(route, _latest_times(graph, route))):
         soonest = _meeting(graph, p, t, i)
+        wish = min(max(times[k], graph.t_lo[i]), latest)
         flown[k] = t = graph.t_hi[i] if math.isinf(soonest) else max(wish, soonest)
         p = graph.position(i, t)
     return flown
+
+
+def _latest_times(graph, route):
+    """Return (len(route),) the latest times of the visits that leave time for all later ones, home by the horizon.
+
+    Seen backwards in time these are earliest meetings, with motions reversed.
+    """
+    latest = np.empty(len(route))
+    t, p = graph.horizon, graph.p_lo[graph.s_prime]
+    for k, i in reversed(list(enumerate(route))):
+        q, v, start, end = graph.p_hi[i], -graph.v[i], -graph.t_hi[i], -graph.t_lo[i]
+        back = earliest_meeting(p[0], p[1], -t, q[0], q[1], start, v[0], v[1], start, end, graph.max_speed)
+        latest[k] = t = max(-back, graph.t_lo[i])
+        p = graph.position(i, t)
+    return latest
 
 
 def _solve_times(graph, route):

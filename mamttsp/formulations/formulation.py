@@ -43,13 +43,15 @@ class Formulation(abc.ABC):
     def _y_values(self):
         """Return the values of y, edges first."""
 
-    @abc.abstractmethod
     def add_subtour_cut(self, targets):
         """Forbid cycles among `targets` (numbered from 0) that miss the depot, in the model at hand.
 
-        With S the segments of these targets: y(E(S)) <= |targets| - 1, or, as each target is entered once, what is the
-        same, y(delta^-(S)) >= 1.
+        With E(S) the edges among their segments: y(E(S)) <= |targets| - 1. As each target is entered once, this says
+        y(delta^-(S)) >= 1, an agent comes from outside; it holds its own where pruning has left no edge from outside.
         """
+        inside = np.isin(self.graph.tau, list(targets))
+        i, j = self.graph.edges.T
+        self._limit(np.flatnonzero(inside[i] & inside[j]), len(targets) - 1)
 
     def add_path_cut(self, path):
         """Forbid one agent to leave the depot and visit the segments of `path` in order: y(path) <= |path| - 1.
@@ -61,7 +63,7 @@ class Formulation(abc.ABC):
 
     @abc.abstractmethod
     def _limit(self, edges, limit):
-        """Add the cut y(edges) <= limit, summed over the agents; edges: their indices, or (|E|,) of bool."""
+        """Add the cut y(edges) <= limit, summed over the agents; edges: their indices."""
 
     def statistics(self):
         """Return the model's size as Statistics."""
@@ -85,11 +87,6 @@ class PyomoFormulation(Formulation):
     def _y_values(self):
         return np.array([y.value for y in self.model.y.values()], dtype=float)
 
-    def add_subtour_cut(self, targets):
-        inside = np.isin(self.graph.tau, list(targets))
-        i, j = self.graph.edges.T
-        self._limit(inside[i] & inside[j], len(targets) - 1)
-
     def _limit(self, edges, limit):
         y = np.array(list(self.model.y.values()), dtype=object).reshape(len(self.graph.edges), -1)
         self.model.subtour_cuts.add(pyo.quicksum(y[edges].flat) <= limit)
@@ -106,9 +103,6 @@ class CvxpyFormulation(Formulation):
     def _y_values(self):
         y = self.model.y
         return np.full(y.shape, np.nan) if y.value is None else np.asarray(y.value)
-
-    def add_subtour_cut(self, targets):
-        self.model.add_subtour_cut(targets)
 
     def _limit(self, edges, limit):
         self.model.add_cut(self.model.y[edges].sum() <= limit)

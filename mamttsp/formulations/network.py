@@ -18,7 +18,7 @@ def network(graph, name):
     m.E_in = {i: [e for e in m.E if e[1] == i] for i in m.V}
     m.E_out = {i: [e for e in m.E if e[0] == i] for i in m.V}
     m.C = {u: graph.C(u).tolist() for u in m.V_tar}
-    m.subtour_cuts = pyo.ConstraintList(doc="Cuts against cycles that nobody flies: y(E(S)) <= |S| - 1.")
+    m.subtour_cuts = pyo.ConstraintList(doc="Cuts against flows that nobody can fly, found while solving.")
     return m
 
 
