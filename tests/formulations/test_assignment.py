@@ -1,0 +1,81 @@
+"""Tours carried into each formulation: feasible there, and of the same length."""
+
+import pytest
+from models import MODELS, some_routes
+from oracle import optimum
+
+from mamttsp import InputError, Tour, build_graph, check, generate
+from mamttsp.backends.answer import Options
+from mamttsp.backends.scip import solve
+from mamttsp.formulations import build_formulation
+from mamttsp.formulations.assignment import assign, segment_of
+from mamttsp.formulations.equations import EQUATIONS
+from mamttsp.formulations.residuals import objective, residuals
+from mamttsp.tours import best_tours
+
+TOLERANCE = 1e-6
+
+
+def routes_of(graph, flow):
+    """Return the routes from the depot along the edges that are flown."""
+    after = {}
+    for (i, j), y in zip(graph.edges.tolist(), flow):
+        if y > 0.5:
+            after.setdefault(i, []).append(j)
+    routes = [[first] for first in after.get(graph.s, [])]
+    for route in routes:
+        while (following := after[route[-1]][0]) != graph.s_prime:
+            route.append(following)
+    return routes
+
+
+def assert_carried(graph, n_agents, tours, length):
+    for method, modeler in MODELS:
+        formulation = build_formulation(method, modeler, graph, n_agents)
+        assign(formulation, tours)
+        found = residuals(formulation.model)
+        assert set(found) == {*EQUATIONS[method], "bounds", "integrality"}
+        assert max(found.values()) < TOLERANCE, (method, modeler, found)
+        assert objective(formulation.model) == pytest.approx(length, rel=TOLERANCE)
+
+
+@pytest.mark.parametrize("m", [1, 2, 3])
+@pytest.mark.parametrize("method", EQUATIONS)
+def test_the_optimum_of_each_formulation_is_one_of_all_others(method, m):
+    """The proof of validity in numbers, the optimum itself from enumeration."""
+    instance = generate(3, 16, m, seed=20 + m)
+    graph = build_graph(instance)
+    answer = solve(build_formulation(method, "pyomo", graph, m), Options(gap=1e-6))
+    length, tours = best_tours(graph, routes_of(graph, answer.flow))
+    assert answer.objective == pytest.approx(length, rel=1e-4)
+    assert length == pytest.approx(optimum(instance), rel=TOLERANCE)
+    assert_carried(graph, m, tours, length)
+
+
+@pytest.mark.parametrize("m, prune", [(1, False), (2, True)])
+@pytest.mark.parametrize("seed", [1, 2])
+def test_any_tours_can_be_carried(seed, m, prune):
+    """Larger instances, tours that are not optimal, and fewer tours than agents."""
+    instance = generate(6, 60, m, seed)
+    graph = build_graph(instance, prune)
+    length, tours = best_tours(graph, some_routes(graph, m))
+    assert check(instance, tours) == pytest.approx(length)
+    assert_carried(graph, m, tours, length)
+    assert_carried(graph, m + 1, [*tours, Tour((), 0.0)], length)  # an agent that stays at the depot
+
+
+def test_the_segment_of_a_visit():
+    graph = build_graph(generate(5, 60, seed=0))
+    for i in graph.V_seg:
+        assert segment_of(graph, graph.tau[i], (graph.t_lo[i] + graph.t_hi[i]) / 2) == i
+        assert segment_of(graph, graph.tau[i], graph.t_lo[i]) in (i, i - 1)  # a bend belongs to both its segments
+
+
+def test_tours_that_have_no_assignment():
+    instance = generate(4, 20, 2, seed=5)
+    graph = build_graph(instance)
+    length, tours = best_tours(graph, some_routes(graph, 2))
+    with pytest.raises(InputError, match="3 tours for 2 agents"):
+        assign(build_formulation("micp", "pyomo", graph, 2), [tours[0]] * 3)
+    with pytest.raises(InputError, match="no edge from node"):
+        assign(build_formulation("micp", "pyomo", graph, 2), [Tour(tours[0].visits[:1] * 2, 100.0)])
