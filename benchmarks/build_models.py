@@ -1,0 +1,76 @@
+"""Measure how long each model takes to build and to hand over, and how large it is; write the table into README.md.
+
+Run with `make benchmarks`. Build: from the graph to the model. Hand-over: from a Pyomo model to a loaded SCIP model,
+and from a cvxpy problem to the conic data that every cvxpy solver is given.
+"""
+
+import importlib.metadata
+import platform
+import time
+from pathlib import Path
+
+from tqdm import tqdm
+
+from mamttsp import build_graph, generate
+from mamttsp.backends.conic_data import conic_data
+from mamttsp.backends.scip_models import from_pyomo
+from mamttsp.formulations import build_formulation
+
+README = Path(__file__).with_name("README.md")
+BEGIN, END = "<!-- build_models.py writes from here -->\n", "<!-- to here -->\n"
+SIZES, FLEETS = (5, 10, 15, 20), (1, 3, 5)
+MODELS = (("micp", "pyomo"), ("micp", "cvxpy"), ("baseline", "pyomo"), ("baseline", "cvxpy"), ("nonconvex", "pyomo"))
+REPEATS = 3
+COLUMNS = "n | m | model | modeler | build (s) | hand-over (s) | variables | binaries | linear rows | cones | bilinear rows"
+
+
+def measure(method, modeler, graph, n_agents):
+    """Return (least build time, least hand-over time, Statistics) of a model, in s, over a few repetitions."""
+    build_times, hand_over_times = [], []
+    for _ in range(REPEATS):
+        formulation = build_formulation(method, modeler, graph, n_agents)
+        start = time.perf_counter()
+        if modeler == "pyomo":
+            from_pyomo(formulation.model)
+        else:
+            conic_data(formulation.model.problem)
+        hand_over_times.append(time.perf_counter() - start)
+        build_times.append(formulation.build_time)
+    return min(build_times), min(hand_over_times), formulation.statistics()
+
+
+def table():
+    """Return the lines of the table, with progress on the way."""
+    yield f"Instance 0 of each size, windows of 40 s in total, all edges; least of {REPEATS} runs in one process."
+    yield f"Python {platform.python_version()}, {', '.join(_versions())}; {_processor()}."
+    yield ""
+    yield f"| {COLUMNS} |"
+    yield "|--:|--:|---|---" + "|--:" * 7 + "|"
+    cases = [(n, m, *model) for n in SIZES for m in FLEETS for model in MODELS]
+    for n, m, method, modeler in tqdm(cases, unit="model"):
+        build, hand_over, size = measure(method, modeler, build_graph(generate(n, 40, m)), m)
+        rows = (size.variables, size.binaries, size.linear_rows, size.cones, size.bilinear_rows)
+        yield f"| {n} | {m} | {method} | {modeler} | {build:.3f} | {hand_over:.3f} | {' | '.join(map(str, rows))} |"
+
+
+def _versions():
+    return [f"{name} {importlib.metadata.version(name)}" for name in ("pyomo", "cvxpy", "pyscipopt")]
+
+
+def _processor():
+    """Return the processor's name where the system tells it, else its kind."""
+    cpuinfo = Path("/proc/cpuinfo")
+    lines = cpuinfo.read_text().splitlines() if cpuinfo.exists() else []
+    names = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
+    return names[0] if names else platform.machine()
+
+
+def main():
+    lines = "\n".join(table())
+    before, rest = README.read_text(encoding="utf-8").split(BEGIN)
+    _, after = rest.split(END)
+    README.write_text(f"{before}{BEGIN}\n{lines}\n\n{END}{after}", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
