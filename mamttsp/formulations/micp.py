@@ -1,9 +1,11 @@
 """The new MICP of Section IV-B, eqs (17)-(29), with perspective constraints and one flow for all agents, in Pyomo."""
 
+from functools import partial
+
 import pyomo.environ as pyo
 
 from .cones import cone
-from .network import motions, network
+from .network import motions, network, sum_in
 
 
 def build(graph, n_agents):
@@ -30,15 +32,15 @@ def build(graph, n_agents):
 
 
 def _add_flow(m, graph, n_agents):
-    y, alpha, E_in, E_out = m.y, m.alpha, m.E_in, m.E_out
+    y, alpha, E_in, E_out, total = m.y, m.alpha, m.E_in, m.E_out, partial(sum_in, m)
 
     @m.Constraint(doc="(18) alpha agents leave the depot.")
     def flow_from_depot(m):
-        return pyo.quicksum(y[e] for e in E_out[graph.s]) == alpha
+        return total(y[e] for e in E_out[graph.s]) == alpha
 
     @m.Constraint(doc="(19) alpha agents return to the depot.")
     def flow_to_depot(m):
-        return pyo.quicksum(y[e] for e in E_in[graph.s_prime]) == alpha
+        return total(y[e] for e in E_in[graph.s_prime]) == alpha
 
     @m.Constraint(doc="(20) At least one agent flies, at most m.")
     def number_of_agents(m):
@@ -46,15 +48,15 @@ def _add_flow(m, graph, n_agents):
 
     @m.Constraint(m.V_tar, doc="(21) Each target is visited once, on one of its segments.")
     def one_segment_per_cluster(m, u):
-        return pyo.quicksum(y[e] for i in m.C[u] for e in E_in[i]) == 1
+        return total(y[e] for i in m.C[u] for e in E_in[i]) == 1
 
     @m.Constraint(m.V_seg, doc="(22) An agent that enters a segment leaves it...")
     def flow_conservation(m, i):
-        return pyo.quicksum(y[e] for e in E_in[i]) == pyo.quicksum(y[e] for e in E_out[i])
+        return total(y[e] for e in E_in[i]) == total(y[e] for e in E_out[i])
 
     @m.Constraint(m.V_seg, doc="(22) ... at the time at which it came.")
     def time_conservation(m, i):
-        return pyo.quicksum(m.z_t_prime[e] for e in E_in[i]) == pyo.quicksum(m.z_t[e] for e in E_out[i])
+        return total(m.z_t_prime[e] for e in E_in[i]) == total(m.z_t[e] for e in E_out[i])
 
 
 def _add_perspectives(m, graph):

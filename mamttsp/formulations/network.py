@@ -1,5 +1,7 @@
 """What the Pyomo models share: the sets of Sections II and III, and each agent's flow and times, eqs (2)-(6)."""
 
+from functools import partial
+
 import pyomo.environ as pyo
 
 
@@ -22,6 +24,17 @@ def network(graph, name):
     return m
 
 
+def sum_in(m, terms):
+    """Return the sum of the terms, for a row of model m.
+
+    Where pruning has left none, it is a variable fixed at 0: the row stands, and a solver finds it feasible or not.
+    """
+    terms = list(terms)
+    if not terms and m.component("nothing") is None:
+        m.nothing = pyo.Var(bounds=(0, 0), initialize=0.0, doc="The sum of no terms.")
+    return pyo.quicksum(terms) if terms else m.nothing
+
+
 def motions(graph):
     """Return (v, p_0) as lists: node i is at p_0[i] + t v[i], with p_0[i] = p_lo_i - t_lo_i v_i."""
     return graph.v.tolist(), (graph.p_lo - graph.t_lo[:, None] * graph.v).tolist()
@@ -39,24 +52,24 @@ def agent_network(graph, n_agents, name):
 
 def add_flow(m, graph):
     """Add eqs (2)-(6): each agent's flow through the graph, and the time interval of each node."""
-    y, E_in, E_out = m.y, m.E_in, m.E_out
+    y, E_in, E_out, total = m.y, m.E_in, m.E_out, partial(sum_in, m)
     t_lo, t_hi = graph.t_lo.tolist(), graph.t_hi.tolist()
 
     @m.Constraint(m.V_agt, doc="(2) Each agent leaves the depot at most once.")
     def depot_flow_out(m, k):
-        return pyo.quicksum(y[e, k] for e in E_out[graph.s]) <= 1
+        return total(y[e, k] for e in E_out[graph.s]) <= 1
 
     @m.Constraint(m.V_agt, doc="(3) Each agent returns to the depot at most once.")
     def depot_flow_in(m, k):
-        return pyo.quicksum(y[e, k] for e in E_in[graph.s_prime]) <= 1
+        return total(y[e, k] for e in E_in[graph.s_prime]) <= 1
 
     @m.Constraint(m.V_tar, doc="(4) Each target is visited once, by one agent, on one of its segments.")
     def target_flow_in(m, u):
-        return pyo.quicksum(y[e, k] for k in m.V_agt for i in m.C[u] for e in E_in[i]) == 1
+        return total(y[e, k] for k in m.V_agt for i in m.C[u] for e in E_in[i]) == 1
 
     @m.Constraint(m.V_seg, m.V_agt, doc="(5) An agent that enters a segment leaves it.")
     def flow_conservation(m, i, k):
-        return pyo.quicksum(y[e, k] for e in E_in[i]) == pyo.quicksum(y[e, k] for e in E_out[i])
+        return total(y[e, k] for e in E_in[i]) == total(y[e, k] for e in E_out[i])
 
     @m.Constraint(m.V, m.V_agt, doc="(6) A visit lies in the node's time interval.")
     def node_time_window(m, i, k):

@@ -11,22 +11,10 @@ from mamttsp.formulations import build_formulation
 from mamttsp.formulations.assignment import assign, segment_of
 from mamttsp.formulations.equations import EQUATIONS
 from mamttsp.formulations.residuals import objective, residuals
+from mamttsp.subtours import read_flow
 from mamttsp.tours import best_tours
 
 TOLERANCE = 1e-6
-
-
-def routes_of(graph, flow):
-    """Return the routes from the depot along the edges that are flown."""
-    after = {}
-    for (i, j), y in zip(graph.edges.tolist(), flow):
-        if y > 0.5:
-            after.setdefault(i, []).append(j)
-    routes = [[first] for first in after.get(graph.s, [])]
-    for route in routes:
-        while (following := after[route[-1]][0]) != graph.s_prime:
-            route.append(following)
-    return routes
 
 
 def assert_carried(graph, n_agents, tours, length):
@@ -46,7 +34,9 @@ def test_the_optimum_of_each_formulation_is_one_of_all_others(method, m):
     instance = generate(3, 16, m, seed=20 + m)
     graph = build_graph(instance)
     answer = solve(build_formulation(method, "pyomo", graph, m), Options(gap=1e-6))
-    length, tours = best_tours(graph, routes_of(graph, answer.flow))
+    paths, cycles = read_flow(graph, answer.flow)
+    assert not cycles
+    length, tours = best_tours(graph, paths)
     assert answer.objective == pytest.approx(length, rel=1e-4)
     assert length == pytest.approx(optimum(instance), rel=TOLERANCE)
     assert_carried(graph, m, tours, length)

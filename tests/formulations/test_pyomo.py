@@ -7,6 +7,8 @@ import pytest
 from models import MODELS
 
 from mamttsp import InputError, build_graph, generate
+from mamttsp.backends.answer import Options
+from mamttsp.backends.scip import solve
 from mamttsp.formulations import build_formulation
 from mamttsp.formulations.equations import EQUATIONS
 
@@ -110,3 +112,12 @@ def test_what_cannot_be_built_is_one_clear_line(graph, method, modeler, said):
     with pytest.raises(InputError, match=said) as caught:
         build_formulation(method, modeler, graph, 1)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("method", EQUATIONS)
+def test_pruning_that_leaves_a_target_without_edges_leaves_an_infeasible_model(method):
+    far = examples.still(40.0, 0.0, windows=[(0.0, 1.0)])
+    graph = build_graph(examples.instance(far, examples.still(1.0, 1.0)), prune=True)
+    assert len(graph.into(1)) == 0
+    answer = solve(build_formulation(method, "pyomo", graph, 1), Options())
+    assert (answer.status, answer.flow) == ("infeasible", None)
