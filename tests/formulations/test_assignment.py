@@ -36,7 +36,7 @@ def test_the_optimum_of_each_formulation_is_one_of_all_others(method, m):
     answer = solve(build_formulation(method, "pyomo", graph, m), Options(gap=1e-6))
     paths, cycles = read_flow(graph, answer.flow)
     assert not cycles
-    length, tours = best_tours(graph, paths)
+    length, tours = best_tours(graph, [list(path) for path in paths])
     assert answer.objective == pytest.approx(length, rel=1e-4)
     assert length == pytest.approx(optimum(instance), rel=TOLERANCE)
     assert_carried(graph, m, tours, length)
