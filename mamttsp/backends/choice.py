@@ -8,7 +8,7 @@ _ALL = ("baseline", "nonconvex", "micp")
 #: solver -> modeler -> the methods it solves so; the modeler taken by default comes first
 SOLVERS = {
     "scip": {"pyomo": _ALL, "cvxpy": _CONIC},
-    "clarabel": {"cvxpy": ("micp",)},
+    "clarabel": {"cvxpy": ("micp",), "pyomo": ("micp",)},
     "highs": {"cvxpy": _CONIC},
     "gurobi": {"pyomo": _ALL, "cvxpy": _CONIC},
     "xpress": {"pyomo": _ALL, "cvxpy": _CONIC},
@@ -19,17 +19,22 @@ METHODS = _ALL
 MODELERS = ("pyomo", "cvxpy")
 #: by method: the open solvers in order of speed
 _DEFAULTS = {"baseline": ("scip",), "nonconvex": ("scip",), "micp": ("clarabel", "scip")}
+#: cuts cycles off on its own, so it cannot solve a plain model of the paper
+_ALWAYS_CUTS = "clarabel"
 
 
-def choose(method, modeler=None, solver=None):
+def choose(method, modeler=None, solver=None, plain=False):
     """Return (modeler, solver) for a method, with the default for each that is None.
 
-    InputError: an unknown name, or a solver that does not solve this method with this modeler.
+    plain: the paper's model is to be solved as it stands, without cuts. InputError: an unknown name, or a solver that does
+    not solve this method with this modeler.
     """
     for name, value, known in (("method", method, METHODS), ("modeler", modeler, MODELERS), ("solver", solver, SOLVERS)):
         if value not in known and not (value is None and name != "method"):
             raise InputError(f"{name}: expected one of {', '.join(known)}, found {value!r}")
-    for candidate in [solver] if solver else _DEFAULTS[method]:
+    if plain and solver == _ALWAYS_CUTS:
+        raise InputError(f"subtour_cuts: {solver} always cuts; for the plain model take another solver, such as scip")
+    for candidate in [solver] if solver else [name for name in _DEFAULTS[method] if not (plain and name == _ALWAYS_CUTS)]:
         for built_with, methods in SOLVERS[candidate].items():
             if method in methods and modeler in (None, built_with):
                 return built_with, candidate

@@ -42,7 +42,7 @@ class _Search:
         """Alternate between the master and the tangents it lacks, until the gap is closed or a limit comes."""
         self.master.add(*self.cones.first())
         while not self.clock.over:
-            status, x, bound = self.master.solve(self.clock.left)
+            status, x, bound = self.master.solve(self.clock)
             self.nodes += max(self.master.highs.getInfo().mip_node_count, 0)
             if status == highspy.HighsModelStatus.kInfeasible:
                 return INFEASIBLE
@@ -63,7 +63,7 @@ class _Search:
             if not len(upper):
                 return self._take(x)
             self.master.add(R, upper)
-            x = self.master.solve_fixed(x, self.clock.left)
+            x = self.master.solve_fixed(x, self.clock)
             if x is None:
                 return None
 

@@ -3,6 +3,9 @@
 import highspy
 import numpy as np
 
+#: feasibility tolerances, the second one to confirm what the first calls infeasible: HiGHS says so of feasible programs
+#: where targets miss each other by about its tolerance
+_TOLERANCES = (1e-9, 1e-6)
 _SOLVED = (highspy.HighsModelStatus.kOptimal, highspy.HighsModelStatus.kTimeLimit, highspy.HighsModelStatus.kInterrupt)
 
 
@@ -24,24 +27,28 @@ class Master:
             lower = np.full(len(upper), -highspy.kHighsInf)
             self.highs.addRows(len(upper), lower, upper, R.nnz, R.indptr[:-1], R.indices, R.data)
 
-    def solve(self, time_left):
+    def solve(self, clock):
         """Solve as it stands; return (status, x or None, lower bound)."""
-        x = self._run(time_left, relaxed=False)
+        for tolerance in _TOLERANCES:
+            self.highs.setOptionValue("mip_feasibility_tolerance", tolerance)
+            x = self._run(clock, relaxed=False)
+            if self.highs.getModelStatus() != highspy.HighsModelStatus.kInfeasible:
+                break
         return self.highs.getModelStatus(), x, self.highs.getInfo().mip_dual_bound
 
-    def solve_fixed(self, x, time_left):
+    def solve_fixed(self, x, clock):
         """Solve with the integers fixed at their values in x; return the new point, None if there is none."""
         at = np.round(x[self.integers])
         self.highs.changeColsBounds(len(at), self.integers, at, at)
-        point = self._run(time_left, relaxed=True)
+        point = self._run(clock, relaxed=True)
         lower, upper = self.data.lower[self.integers], self.data.upper[self.integers]
         self.highs.changeColsBounds(len(at), self.integers, lower, upper)
         return point
 
-    def _run(self, time_left, relaxed):
+    def _run(self, clock, relaxed):
         self.highs.setOptionValue("solve_relaxation", relaxed)
-        if time_left is not None:
-            self.highs.setOptionValue("time_limit", self.highs.getRunTime() + max(time_left, 0.0))
+        if clock.left is not None:
+            self.highs.setOptionValue("time_limit", self.highs.getRunTime() + clock.left)
         self.highs.solve()
         found = self.highs.getInfo().primal_solution_status == highspy.SolutionStatus.kSolutionStatusFeasible
         usable = found and self.highs.getModelStatus() in _SOLVED

@@ -1,0 +1,82 @@
+"""The outer approximation on HiGHS: tangents are valid, bounds and optima right."""
+
+import highspy
+import numpy as np
+import pytest
+from examples import instance, still
+from meetings import passing
+from oracle import optimum
+
+from mamttsp import build_graph, generate, solve
+from mamttsp.backends import Options, highs
+from mamttsp.backends.cone_cuts import ConeCuts
+from mamttsp.backends.conic_data import conic_data
+from mamttsp.formulations import build_formulation
+
+
+def _formulation(problem, method="micp"):
+    return build_formulation(method, "cvxpy", build_graph(problem), problem.n_agents)
+
+
+@pytest.fixture(scope="module")
+def data():
+    return conic_data(_formulation(generate(3, 20, seed=0)).model.problem)
+
+
+def _norms(cones, x):
+    w = cones.b - (cones.A @ x).reshape(cones.b.shape)
+    return w[:, 0], np.linalg.norm(w[:, 1:], axis=1)
+
+
+def test_tangents_cut_off_the_point_they_were_made_at(data):
+    cones = ConeCuts(data)
+    x = np.random.default_rng(0).normal(size=len(data.c))
+    heads, norms = _norms(cones, x)
+    R, upper = cones.violated(x)
+    assert len(upper) == (norms > heads).sum() > 0
+    assert R @ x - upper == pytest.approx((norms - heads)[norms > heads])
+
+
+def test_tangents_cut_off_no_point_of_the_cones(data):
+    cones = ConeCuts(data)
+    rng = np.random.default_rng(1)
+    rows = [cones.first(), cones.violated(rng.normal(size=len(data.c)))]
+    lengths = [variable for variable in data.problem.variables() if variable.name() == "l"]
+    for point in rng.normal(size=(20, len(data.c))):
+        heads, norms = _norms(cones, point)
+        inside = point + _raise_heads(cones, heads, norms)
+        assert lengths and all((R @ inside <= upper + 1e-9).all() for R, upper in rows)
+
+
+def _raise_heads(cones, heads, norms):
+    """Return the change of x that lifts each cone's head to its norm; a head is a variable of its own here."""
+    A = cones.A[cones.heads]
+    return -A.T @ np.maximum(norms - heads, 0.0) / A.multiply(A).sum(axis=1).max()
+
+
+@pytest.mark.parametrize("method", ["micp", "baseline"])
+def test_the_optimum(method):
+    problem = generate(3, 20, 2, seed=3)
+    answer = highs.solve(_formulation(problem, method), Options())
+    assert answer.status == "optimal" and answer.objective == pytest.approx(optimum(problem), rel=1e-4)
+    assert answer.bound <= optimum(problem) * (1 + 1e-6)
+    assert answer.solver == "highs " + ".".join(highspy.Highs().version().split(".")[:2])
+
+
+def test_no_solution():
+    nowhere = instance(still(10, 0, [(5, 6)]), still(-10, 0, [(5, 6)]))
+    assert highs.solve(_formulation(nowhere), Options()).status == "infeasible"
+
+
+@pytest.mark.parametrize("miss", [1e-9, 1e-8, 3e-7, 1e-6, 1e-5])
+def test_targets_that_miss_by_about_its_tolerance_are_not_called_infeasible(miss):
+    solution = solve(passing(miss), "micp", solver="highs")
+    assert solution.objective == pytest.approx(optimum(passing(miss)), rel=1e-4)
+
+
+def test_progress_and_a_limit():
+    reports = []
+    answer = highs.solve(_formulation(generate(10, 40, 1, seed=0)), Options(time_limit=3.0, progress=reports.append))
+    assert answer.status in ("feasible", "unknown", "optimal")
+    bounds = [report.bound for report in reports if report.bound is not None]
+    assert reports and bounds == sorted(bounds)

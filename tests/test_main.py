@@ -1,0 +1,199 @@
+"""The command line: what it writes, its exit status, and one line on standard error for bad input."""
+
+import io
+import json
+import runpy
+import sys
+
+import pytest
+from examples import instance, still
+from oracle import optimum
+
+from mamttsp import Instance, Progress, Solution
+from mamttsp.__main__ import main
+from mamttsp.progress import ProgressLine, format_progress
+
+
+@pytest.fixture
+def problem(tmp_path):
+    path = tmp_path / "instance.json"
+    instance(still(10, 0), still(0, 10), n_agents=2).write(path)
+    return str(path)
+
+
+def _one_line(capsys):
+    out, err = capsys.readouterr()
+    assert out == "" and err.count("\n") == 1 and "Traceback" not in err
+    return err
+
+
+def test_generate_solve_check(tmp_path, capsys):
+    problem, answer = str(tmp_path / "i.json"), str(tmp_path / "s.json")
+    assert main(["generate", "--targets", "3", "--window", "20", "--agents", "2", "--seed", "7", "-o", problem]) == 0
+    written = Instance.read(problem)
+    assert (written.n_targets, written.n_agents) == (3, 2)
+    assert main(["solve", problem, "--method", "micp", "--solver", "scip", "--time-limit", "60", "-o", answer]) == 0
+    solution = Solution.read(answer)
+    assert solution.status == "optimal" and solution.objective == pytest.approx(optimum(written), rel=1e-4)
+    capsys.readouterr()
+    assert main(["check", problem, answer]) == 0
+    assert "total length" in capsys.readouterr().out
+
+
+def test_the_table_names_the_numbers_and_the_visits(problem, capsys):
+    assert main(["solve", problem, "--method", "micp", "--solver", "scip"]) == 0
+    out = capsys.readouterr().out
+    assert "status        optimal" in out and "objective     34.1421" in out and "back at" in out
+
+
+def test_quiet_prints_nothing(problem, capfd):
+    assert main(["solve", problem, "--method", "micp", "--solver", "scip", "--quiet"]) == 0
+    assert capfd.readouterr() == ("", "")
+
+
+def test_agents_replace_the_instances_own_number(problem, tmp_path):
+    answer = str(tmp_path / "s.json")
+    data = json.loads(open(problem).read())
+    for target, end in zip(data["targets"], (3.0, 3.0)):
+        target["windows"] = [[2.5, end]]
+    open(problem, "w").write(json.dumps(data))
+    run = ["solve", problem, "--method", "micp", "--solver", "scip", "--quiet", "-o", answer]
+    assert main([*run, "--agents", "1"]) == 1 and Solution.read(answer).status == "infeasible"
+    assert main([*run, "--agents", "3"]) == 0 and len(Solution.read(answer).tours) == 2
+    assert main(["check", problem, answer, "--agents", "2"]) == 0
+    assert main(["check", problem, answer, "--agents", "1"]) == 1
+
+
+def test_check_tells_what_is_wrong(problem, tmp_path, capsys):
+    answer = tmp_path / "s.json"
+    main(["solve", problem, "--method", "micp", "--solver", "scip", "--quiet", "-o", str(answer)])
+    data = json.loads(answer.read_text())
+    answer.write_text(json.dumps(data | {"objective": 30.0}))
+    assert main(["check", problem, str(answer)]) == 1
+    assert "objective: the file says 30.0" in capsys.readouterr().err
+    answer.write_text(json.dumps(data | {"tours": []}))
+    assert main(["check", problem, str(answer)]) == 1
+    assert "target 0 is visited 0 times" in capsys.readouterr().err
+
+
+def test_a_limit_with_nothing_found_is_exit_status_1(tmp_path, monkeypatch, problem, capsys):
+    nothing = Solution("unknown", None, 5.0, 1.0, (), "micp", "scip 10.0")
+    monkeypatch.setattr("mamttsp.__main__.solve", lambda *_, **__: nothing)
+    assert main(["solve", problem]) == 1
+    assert "status        unknown" in capsys.readouterr().out
+
+
+def test_options_reach_solve(problem, monkeypatch):
+    seen = {}
+    monkeypatch.setattr("mamttsp.__main__.solve", lambda _, **given: seen.update(given) or Solution("unknown", None, None, 0.0, (), "", ""))
+    main(
+        ["solve", problem, "--method", "baseline", "--modeler", "cvxpy", "--solver", "scip", "--time-limit", "9", "--gap", "0.1"]
+        + ["--threads", "2", "--seed", "3", "--prune", "--verbose"]
+    )
+    del seen["progress"]
+    assert seen == {
+        "method": "baseline", "modeler": "cvxpy", "solver": "scip", "time_limit": 9.0, "gap": 0.1,
+        "threads": 2, "seed": 3, "prune": True, "verbose": True,
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        (["solve", "nowhere.json"], "nowhere.json: cannot be read"),
+        (["check", "nowhere.json", "s.json"], "nowhere.json: cannot be read"),
+        (["generate", "--targets", "0", "--window", "20", "-o", "i.json"], "n_targets: expected a whole number"),
+        (["generate", "--targets", "2", "--window", "20", "-o", "no/folder/i.json"], "there is no folder"),
+        (["generate", "--targets", "two", "--window", "20", "-o", "i.json"], "invalid int value: 'two'"),
+        (["solve"], "required: INSTANCE"),
+        (["fly"], "invalid choice: 'fly'"),
+        ([], "required"),
+    ],
+)
+def test_bad_usage_is_exit_status_2_and_one_line(arguments, message, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(arguments) == 2
+    assert message in _one_line(capsys)
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        (["--method", "magic"], "method: expected one of"),
+        (["--method", "micp", "--solver", "magic"], "solver: expected one of"),
+        (["--method", "micp", "--modeler", "magic"], "modeler: expected one of"),
+        (["--method", "nonconvex", "--modeler", "cvxpy"], "modeler: cvxpy cannot state"),
+        (["--agents", "0"], "n_agents: expected a whole number"),
+        (["--time-limit", "-1"], "time_limit: expected a number above 0"),
+        (["--gap", "nan"], "gap: expected a number"),
+        (["-o", "no/folder/s.json"], "there is no folder"),
+    ],
+)
+def test_bad_options_of_solve_are_exit_status_2_and_one_line(arguments, message, problem, capsys):
+    assert main(["solve", problem, *arguments]) == 2
+    assert message in _one_line(capsys)
+
+
+@pytest.mark.parametrize("text", ["not json", "[]", '{"format": "mamttsp-instance", "version": 1}'])
+def test_a_broken_file_is_named(text, tmp_path, capsys):
+    path = tmp_path / "broken.json"
+    path.write_text(text)
+    assert main(["solve", str(path)]) == 2
+    assert _one_line(capsys).startswith(f"{path}: ")
+
+
+def test_a_missing_solver_is_exit_status_2_and_one_line(problem, monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "mosek", None)
+    monkeypatch.delitem(sys.modules, "mamttsp.backends.mosek", raising=False)
+    assert main(["solve", problem, "--method", "micp", "--solver", "mosek"]) == 2
+    assert "solver: mosek is not installed" in _one_line(capsys)
+
+
+def test_versions_name_the_package_the_solvers_and_the_machine(capsys):
+    assert main(["versions"]) == 0
+    out = capsys.readouterr().out
+    for name in ("mamttsp", "Python", "clarabel", "SCIP", "gurobipy", "processor", "cores"):
+        assert f"\n{name} " in f"\n{out}"
+
+
+def test_the_module_runs(monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["mamttsp", "versions"])
+    with pytest.raises(SystemExit) as ended:
+        runpy.run_module("mamttsp", run_name="__main__")
+    assert ended.value.code == 0 and "Python" in capsys.readouterr().out
+
+
+def test_progress_in_words():
+    line = format_progress(Progress(1.25, 200.0, 150.0, 0.25, 12, "scip"))
+    assert line == "    1.2 s  incumbent 200.0000  bound 150.0000  gap 25.00 %  nodes 12  scip"
+    assert format_progress(Progress(0.0, None, None, None, None, "dive")).split() == "0.0 s incumbent - bound - gap - dive".split()
+
+
+class _Terminal(io.StringIO):
+    def isatty(self):
+        return True
+
+
+def test_on_a_terminal_the_line_is_written_over_and_cleared():
+    screen = _Terminal()
+    with ProgressLine(screen) as line:
+        line(Progress(1.0, 200.0, 150.0, 0.25, 12, "scip"))
+        line(Progress(2.0, None, None, None, None, "scip"))
+    assert "\n" not in screen.getvalue() and screen.getvalue().count("\r") == 4 and screen.getvalue().endswith(" \r")
+
+
+def test_elsewhere_lines_come_now_and_then(monkeypatch):
+    now = iter([0.0, 1.0, 6.0, 6.0, 7.0])
+    monkeypatch.setattr("mamttsp.progress.time.monotonic", lambda: next(now))
+    stream = io.StringIO()
+    with ProgressLine(stream) as line:
+        for second in (1.0, 6.0, 7.0):
+            line(Progress(second, None, None, None, None, "scip"))
+    assert stream.getvalue().count("\n") == 1 and stream.getvalue().startswith("    6.0 s")
+
+
+def test_no_progress_line_where_it_is_off():
+    screen = _Terminal()
+    with ProgressLine(screen, on=False) as line:
+        line(Progress(1.0, 200.0, 150.0, 0.25, 12, "scip"))
+    assert screen.getvalue() == ""
