@@ -8,13 +8,12 @@ RUN_NOTEBOOK = $(BIN)/jupyter nbconvert --to notebook --execute --inplace --log-
 # Two test processes share two cores: each keeps to one thread.
 export OMP_NUM_THREADS ?= 1
 
-.PHONY: help venv reproduce test test-all notebooks figures benchmarks lab
+.PHONY: help venv reproduce test test-all notebooks benchmarks lab
 
 help:
 	@echo "make reproduce   set up, solve an instance, run the notebooks, rebuild every figure"
 	@echo "make test        set up and run the tests (test-all: the slow ones as well)"
-	@echo "make notebooks   run every notebook again and save it"
-	@echo "make figures     rebuild every figure from the committed rows"
+	@echo "make notebooks   run every notebook again, save it and its figures"
 	@echo "make benchmarks  measure again the table in benchmarks/README.md"
 	@echo "make lab         open the notebooks in JupyterLab"
 
@@ -29,15 +28,13 @@ venv: .venv/ready
 	touch $@
 
 reproduce: venv
-	@echo "== 1/3 Solving a paper instance: 10 targets, 3 agents, windows of 40 s =="
+	@echo "== 1/2 Solving a paper instance: 10 targets, 3 agents, windows of 40 s =="
 	@mkdir -p build
 	$(BIN)/python -m mamttsp generate --targets 10 --window 40 --agents 3 --seed 7 -o build/instance.json
 	$(BIN)/python -m mamttsp solve build/instance.json --time-limit 120 -o build/solution.json
 	$(BIN)/python -m mamttsp check build/instance.json build/solution.json
-	@echo "== 2/3 Running the notebooks =="
+	@echo "== 2/2 Running the notebooks, which draw the figures =="
 	@$(MAKE) --no-print-directory notebooks
-	@echo "== 3/3 Rebuilding the figures =="
-	@$(MAKE) --no-print-directory figures
 	@echo "== Done: build/solution.json, notebooks/, figures/ =="
 
 test: venv
@@ -48,9 +45,6 @@ test-all: venv
 
 notebooks: venv
 	@set -e; for notebook in $(NOTEBOOKS); do echo "-- $$notebook"; $(RUN_NOTEBOOK) $$notebook; done
-
-figures: venv
-	$(BIN)/python -m mamttsp figures
 
 benchmarks: venv
 	$(BIN)/python benchmarks/build_models.py

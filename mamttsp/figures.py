@@ -63,6 +63,12 @@ def space_time_view(instance, tours=(), ax=None):
     return ax
 
 
+def save(ax, path):
+    """Write the figure that holds `ax` to path.pdf, to print, and path.png, to look at; the same drawing, the same bytes."""
+    ax.figure.savefig(f"{path}.pdf", metadata={"CreationDate": None})
+    ax.figure.savefig(f"{path}.png", dpi=150)
+
+
 def _targets(instance):
     """Yield (number, path, parts of it inside windows) for each target; both as rows (x, y, t)."""
     for u, target in enumerate(instance.targets):

@@ -6,7 +6,7 @@ import pytest
 from examples import instance, moving, still
 
 from mamttsp import Tour, Visit
-from mamttsp.figures import COLOURS, LINES, MARKERS, plan_view, space_time_view
+from mamttsp.figures import COLOURS, LINES, MARKERS, plan_view, save, space_time_view
 
 INSTANCE = instance(moving((10, 0), (0, 0.2), [(5, 15), (30, 50)]), still(0, 20, [(0, 60)]), n_agents=3)
 TOURS = [Tour((Visit(0, 10.0, (10.0, 2.0)), Visit(1, 20.0, (0.0, 20.0))), 30.0)]
@@ -82,3 +82,12 @@ def test_labels_of_visits_at_one_place_do_not_cover_each_other():
 def test_thirty_agents_are_told_apart():
     styles = {(COLOURS[k % len(COLOURS)], LINES[k % len(LINES)], MARKERS[k % len(MARKERS)]) for k in range(30)}
     assert len(styles) == 30
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_a_saved_drawing_is_the_same_each_time(view, tmp_path):
+    for name in ("one", "two"):
+        save(view(INSTANCE, TOURS), tmp_path / name)
+    for kind, start in (("pdf", b"%PDF"), ("png", b"\x89PNG")):
+        first, second = ((tmp_path / f"{name}.{kind}").read_bytes() for name in ("one", "two"))
+        assert first == second and first.startswith(start) and len(first) > 5000
