@@ -23,7 +23,7 @@ def solve_with_plugin(formulation, options, plugin, settings, solver):
     factory.options.update(settings(options, clock.left))
     results = factory.solve(formulation.model, tee=options.verbose, load_solutions=False)
     objective = flow = None
-    if len(results.solution):
+    if len(results.solution) and results.solution(0).variable:
         formulation.model.solutions.load_from(results)
         objective, flow = known_length(pyo.value(_objective(formulation.model))), formulation.flow()
     ended = results.solver.termination_condition
