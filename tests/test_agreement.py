@@ -5,21 +5,10 @@ import math
 import pytest
 from examples import instance, still
 from oracle import optimum
+from routes import assert_optimal, every_route
 
-from mamttsp import check, generate, solve
+from mamttsp import generate, solve
 
-#: (method, modeler, solver): every route through open solvers
-ROUTES = [
-    ("exact", None, None),
-    ("micp", "cvxpy", "clarabel"),
-    ("micp", "cvxpy", "scip"),
-    ("micp", "pyomo", "scip"),
-    ("micp", "cvxpy", "highs"),
-    ("baseline", "cvxpy", "scip"),
-    ("baseline", "pyomo", "scip"),
-    ("baseline", "cvxpy", "highs"),
-    ("nonconvex", "pyomo", "scip"),
-]
 #: (n, total window, m, seed): twelve instances, four for each number of agents; at some of them the number matters
 FAST = [
     (2, 40, 1, 0), (3, 20, 1, 1), (3, 40, 1, 2), (4, 20, 1, 3),
@@ -29,27 +18,17 @@ FAST = [
 SLOW = [(n, w, m, seed) for n, w in ((3, 60), (4, 40), (5, 20), (5, 40)) for m in (1, 2, 3) for seed in (5, 6)]
 
 
-def _agrees(problem, route):
-    method, modeler, solver = route
-    expected = optimum(problem)
-    solution = solve(problem, method=method, modeler=modeler, solver=solver)
-    assert solution.status == "optimal"
-    assert solution.objective == pytest.approx(expected, rel=1e-4)
-    assert solution.bound <= expected * (1 + 1e-6)
-    assert check(problem, solution.tours) == pytest.approx(solution.objective, rel=1e-9)
-
-
-@pytest.mark.parametrize("route", ROUTES, ids=lambda route: "-".join(filter(None, route)))
+@every_route
 @pytest.mark.parametrize("n, window, m, seed", FAST)
 def test_every_route_finds_the_optimum(n, window, m, seed, route):
-    _agrees(generate(n, window, m, seed), route)
+    assert_optimal(generate(n, window, m, seed), route)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("route", ROUTES, ids=lambda route: "-".join(filter(None, route)))
+@every_route
 @pytest.mark.parametrize("n, window, m, seed", SLOW)
 def test_every_route_finds_the_optimum_of_larger_instances(n, window, m, seed, route):
-    _agrees(generate(n, window, m, seed), route)
+    assert_optimal(generate(n, window, m, seed), route)
 
 
 def test_the_number_of_agents_matters_somewhere():
@@ -58,7 +37,7 @@ def test_the_number_of_agents_matters_somewhere():
     assert sum(saved) >= 3
 
 
-@pytest.mark.parametrize("route", ROUTES, ids=lambda route: "-".join(filter(None, route)))
+@every_route
 def test_every_route_tells_that_there_is_no_solution(route):
     """Two appointments at the same time far apart, and one agent."""
     method, modeler, solver = route

@@ -165,37 +165,12 @@ def test_bad_input_ends_the_command_line_with_status_2_and_the_same_line(bad, ca
     assert out == "" and err.startswith(f"{path}: {message}") and len(err.splitlines()) == 1
 
 
-@pytest.mark.parametrize(
-    "arguments, message",
-    [
-        (["solve", "{missing}"], "{missing}: cannot be read: No such file"),
-        (["solve", "{folder}"], "{folder}: cannot be read: Is a directory"),
-        (["solve", "{binary}"], "{binary}: cannot be read"),
-        (["solve", "{good}", "--method", "guess"], "method: expected one of"),
-        (["solve", "{good}", "--method", "micp", "--solver", "abacus"], "solver: expected one of"),
-        (["solve", "{good}", "--method", "micp", "--modeler", "clay"], "modeler: expected one of"),
-        (["solve", "{good}", "--method", "nonconvex", "--modeler", "cvxpy"], "modeler: "),
-        (["solve", "{good}", "--time-limit", "-1"], "time_limit: expected"),
-        (["solve", "{good}", "--time-limit", "soon"], "mamttsp solve: argument --time-limit: invalid"),
-        (["solve", "{good}", "--gap", "nan"], "gap: expected"),
-        (["solve", "{good}", "--agents", "0"], "n_agents: expected"),
-        (["solve", "{good}", "-o", "{missing}/out.json"], "{missing}/out.json: cannot be written"),
-        (["check", "{good}", "{good}"], '{good}: format: expected "mamttsp-solution"'),
-        (["generate", "--targets", "0", "--window", "20", "-o", "{missing}"], "n_targets: expected"),
-        (["generate", "--targets", "3", "--window", "70", "-o", "{missing}"], "total_window: expected"),
-        (["generate", "--targets", "3", "--window", "20", "--agents", "0", "-o", "{missing}"], "n_agents: expected"),
-        (["fly"], "mamttsp: argument"),
-        ([], "mamttsp: "),
-    ],
-)
-def test_bad_usage_ends_with_status_2_and_one_line(arguments, message, tmp_path, capsys):
-    places = {"missing": tmp_path / "missing", "folder": tmp_path, "good": tmp_path / "good.json", "binary": tmp_path / "b"}
-    GOOD.write(places["good"])
-    places["binary"].write_bytes(b"\xff\xfe\x00")
-    assert main([argument.format(**places) for argument in arguments]) == 2
-    out, err = capsys.readouterr()
-    assert out == "" and err.startswith(message.format(**places)) and len(err.splitlines()) == 1
-    assert not places["missing"].exists()
+@pytest.mark.parametrize("name, message", [("missing", "No such file"), (".", "Is a directory"), ("binary", "invalid start byte")])
+def test_what_cannot_be_read_is_named(name, message, tmp_path):
+    (tmp_path / "binary").write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(InputError, match=f"cannot be read: .*{message}") as caught:
+        Instance.read(tmp_path / name)
+    assert str(caught.value).startswith(f"{tmp_path / name}: ") and len(str(caught.value).splitlines()) == 1
 
 
 def test_the_real_command_prints_no_traceback(tmp_path):

@@ -4,19 +4,10 @@ import pytest
 from examples import instance, still
 from meetings import passing, three_at_one_point, two_on_one_path
 from oracle import optimum
+from routes import assert_optimal, every_route
 
 from mamttsp import InputError, check, generate, solve
 
-ROUTES = [
-    ("exact", None, None),
-    ("micp", "cvxpy", "clarabel"),
-    ("micp", "cvxpy", "scip"),
-    ("micp", "pyomo", "scip"),
-    ("micp", "cvxpy", "highs"),
-    ("baseline", "cvxpy", "scip"),
-    ("baseline", "pyomo", "scip"),
-    ("nonconvex", "pyomo", "scip"),
-]
 MEETINGS = {f"miss {miss:g}": passing(miss) for miss in (0, 1e-6, 1e-4, 1e-2, 0.1, 0.5)} | {
     "three at one point": three_at_one_point(),
     "two on one path": two_on_one_path(),
@@ -24,15 +15,9 @@ MEETINGS = {f"miss {miss:g}": passing(miss) for miss in (0, 1e-6, 1e-4, 1e-2, 0.
 
 
 @pytest.mark.parametrize("problem", MEETINGS.values(), ids=MEETINGS)
-@pytest.mark.parametrize("route", ROUTES, ids=lambda route: "-".join(filter(None, route)))
+@every_route
 def test_targets_that_meet_deceive_nobody(route, problem):
-    method, modeler, solver = route
-    solution = solve(problem, method, modeler, solver)
-    expected = optimum(problem)
-    assert solution.status == "optimal"
-    assert solution.objective == pytest.approx(expected, rel=1e-4)
-    assert solution.bound <= expected * (1 + 1e-6)
-    assert check(problem, solution.tours) == pytest.approx(solution.objective)
+    assert_optimal(problem, route)
 
 
 @pytest.mark.parametrize("method, solver", [("micp", "scip"), ("baseline", "scip"), ("nonconvex", "scip"), ("micp", "highs")])
