@@ -46,7 +46,8 @@ def format_progress(step):
     """Return a Progress as one line of text."""
     gap = "-" if step.gap is None else f"{100 * step.gap:.2f} %"
     nodes = "" if step.nodes is None else f"  nodes {step.nodes}"
-    return f"{step.time:7.1f} s  incumbent {number(step.objective)}  bound {number(step.bound)}  gap {gap}{nodes}  {step.phase}"
+    lengths = f"incumbent {number(step.objective)}  bound {number(step.bound)}"
+    return f"{step.time:7.1f} s  {lengths}  gap {gap}{nodes}  {step.phase}"
 
 
 def number(value):

@@ -33,8 +33,8 @@ def solve_without_cycles(formulation, run, options, clock):
     """Return the Solution of a formulation, its flow free of cycles that miss the depot.
 
     run: solve(formulation, options) of a back end; clock: the Clock that all rounds share. Each round's
-    bound holds for all tours, so the greatest one stands. A round that a limit ends is the last; its incumbent counts if
-    it is made of tours.
+    bound holds for all tours, so the greatest one stands. A round that a limit ends is the last; its incumbent counts
+    if it is made of tours.
     """
     record = _Record()
     while True:

@@ -33,9 +33,9 @@ def solve(
     """Return a Solution of the instance, its tours checked.
 
     method: "exact" (our own solver), "micp", "baseline" or "nonconvex" (the paper's formulations).
-    modeler: "pyomo" or "cvxpy", and solver: one of backends.SOLVERS, for a formulation; None takes the fastest open one.
-    time_limit: s of wall time, building included, None for none; gap: relative gap, as a fraction, that counts as optimal;
-    threads, seed, verbose: handed to the solver; progress: called with a backends.Progress now and then.
+    modeler: "pyomo" or "cvxpy", and solver: one of backends.SOLVERS, for a formulation; None takes the fastest open
+    one. time_limit: s of wall time, building included, None for none; gap: relative gap, as a fraction, that counts as
+    optimal; threads, seed, verbose: handed to the solver; progress: called with a backends.Progress now and then.
     prune: leave out the edges that no agent can fly in time (the exact method always does).
 
     subtour_cuts: cut off the cycles that a formulation accepts and nobody flies, and solve again until none is left.
@@ -49,7 +49,7 @@ def solve(
         return _solve_exact(instance, options, modeler, solver, subtour_cuts)
     if method not in METHODS:
         raise InputError(f"method: expected one of {', '.join(ALL_METHODS)}, found {method!r}")
-    modeler, solver = choose(method, modeler, solver, plain=not subtour_cuts)
+    modeler, solver = choose(method, modeler, solver)
     clock = Clock(time_limit)
     run = backend(solver).solve
     formulation = build_formulation(method, modeler, build_graph(instance, prune), instance.n_agents)
@@ -62,7 +62,7 @@ def solve(
 def _solve_exact(instance, options, modeler, solver, subtour_cuts):
     for name, value in (("modeler", modeler), ("solver", solver)):
         if value is not None:
-            raise InputError(f'{name}: method "exact" has none, found {value!r}; choose a method of {", ".join(METHODS)}')
+            raise InputError(f'{name}: method "exact" has none, found {value!r}; {", ".join(METHODS)} have')
     if not subtour_cuts:
         raise InputError('subtour_cuts: False leaves out the cuts of a formulation, and method "exact" has none')
     from .exact import solve_exact

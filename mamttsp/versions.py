@@ -13,7 +13,8 @@ def versions():
     """Return a table of versions, a line each; what is not installed says so."""
     rows = [("Python", platform.python_version())]
     rows += [(name, _version(name)) for name in _PACKAGES + _SOLVERS]
-    rows += [("SCIP", _scip()), ("system", platform.platform()), ("processor", _processor()), ("cores", str(os.cpu_count()))]
+    rows += [("SCIP", _scip()), ("system", platform.platform())]
+    rows += [("processor", _processor()), ("cores", str(os.cpu_count()))]
     return "\n".join(f"{name:<11} {value}" for name, value in rows)
 
 

@@ -85,11 +85,11 @@ def test_a_limit_with_nothing_found_is_exit_status_1(tmp_path, monkeypatch, prob
 
 def test_options_reach_solve(problem, monkeypatch):
     seen = {}
-    monkeypatch.setattr("mamttsp.__main__.solve", lambda _, **given: seen.update(given) or Solution("unknown", None, None, 0.0, (), "", ""))
-    main(
-        ["solve", problem, "--method", "baseline", "--modeler", "cvxpy", "--solver", "scip", "--time-limit", "9", "--gap", "0.1"]
-        + ["--threads", "2", "--seed", "3", "--prune", "--verbose"]
-    )
+    nothing = Solution("unknown", None, None, 0.0, (), "", "")
+    monkeypatch.setattr("mamttsp.__main__.solve", lambda _, **given: seen.update(given) or nothing)
+    choices = "--method baseline --modeler cvxpy --solver scip --prune --verbose"
+    numbers = "--time-limit 9 --gap 0.1 --threads 2 --seed 3"
+    main(["solve", problem, *choices.split(), *numbers.split()])
     del seen["progress"]
     assert seen == {
         "method": "baseline", "modeler": "cvxpy", "solver": "scip", "time_limit": 9.0, "gap": 0.1,
@@ -157,6 +157,7 @@ def test_versions_name_the_package_the_solvers_and_the_machine(capsys):
 
 
 def test_the_module_runs(monkeypatch, capsys):
+    monkeypatch.delitem(sys.modules, "mamttsp.__main__")
     monkeypatch.setattr(sys, "argv", ["mamttsp", "versions"])
     with pytest.raises(SystemExit) as ended:
         runpy.run_module("mamttsp", run_name="__main__")
@@ -166,7 +167,8 @@ def test_the_module_runs(monkeypatch, capsys):
 def test_progress_in_words():
     line = format_progress(Progress(1.25, 200.0, 150.0, 0.25, 12, "scip"))
     assert line == "    1.2 s  incumbent 200.0000  bound 150.0000  gap 25.00 %  nodes 12  scip"
-    assert format_progress(Progress(0.0, None, None, None, None, "dive")).split() == "0.0 s incumbent - bound - gap - dive".split()
+    empty = format_progress(Progress(0.0, None, None, None, None, "dive"))
+    assert empty.split() == "0.0 s incumbent - bound - gap - dive".split()
 
 
 class _Terminal(io.StringIO):

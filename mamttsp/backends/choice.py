@@ -19,22 +19,17 @@ METHODS = _ALL
 MODELERS = ("pyomo", "cvxpy")
 #: by method: the open solvers in order of speed
 _DEFAULTS = {"baseline": ("scip",), "nonconvex": ("scip",), "micp": ("clarabel", "scip")}
-#: cuts cycles off on its own, so it cannot solve a plain model of the paper
-_ALWAYS_CUTS = "clarabel"
 
 
-def choose(method, modeler=None, solver=None, plain=False):
+def choose(method, modeler=None, solver=None):
     """Return (modeler, solver) for a method, with the default for each that is None.
 
-    plain: the paper's model is to be solved as it stands, without cuts. InputError: an unknown name, or a solver that does
-    not solve this method with this modeler.
+    InputError: an unknown name, or a solver that does not solve this method with this modeler.
     """
-    for name, value, known in (("method", method, METHODS), ("modeler", modeler, MODELERS), ("solver", solver, SOLVERS)):
-        if value not in known and not (value is None and name != "method"):
-            raise InputError(f"{name}: expected one of {', '.join(known)}, found {value!r}")
-    if plain and solver == _ALWAYS_CUTS:
-        raise InputError(f"subtour_cuts: {solver} always cuts; for the plain model take another solver, such as scip")
-    for candidate in [solver] if solver else [name for name in _DEFAULTS[method] if not (plain and name == _ALWAYS_CUTS)]:
+    _check_known("method", method, METHODS)
+    _check_known("modeler", modeler, (*MODELERS, None))
+    _check_known("solver", solver, (*SOLVERS, None))
+    for candidate in [solver] if solver else _DEFAULTS[method]:
         for built_with, methods in SOLVERS[candidate].items():
             if method in methods and modeler in (None, built_with):
                 return built_with, candidate
@@ -43,3 +38,8 @@ def choose(method, modeler=None, solver=None, plain=False):
     routes = "; ".join(f"{m} {', '.join(methods)}" for m, methods in SOLVERS[solver].items())
     wanted = f"{method} with {modeler}" if modeler else method
     raise InputError(f"solver: {solver} does not solve {wanted}; it solves: {routes}")
+
+
+def _check_known(name, value, known):
+    if value not in known:
+        raise InputError(f"{name}: expected one of {', '.join(filter(None, known))}, found {value!r}")

@@ -12,7 +12,8 @@ class ConicData:
     """min c x over lower <= x <= upper, integer where `integer`, with b - A x in a product of cones.
 
     The first `n_equal` rows are zero, the next `n_linear` at least zero, and the rest come in second-order cones of
-    `cones` rows each, whose first row bounds the norm of the others. A constant term of the objective is left out: ours have none.
+    `cones` rows each, whose first row bounds the norm of the others.
+    A constant term of the objective is left out: ours have none.
     """
 
     problem: cp.Problem

@@ -47,7 +47,8 @@ def _run(program, options, clock):
 
 def _watch(model, where, options, clock):
     if where == GRB.Callback.MIP:
-        best, bound, nodes = (model.cbGet(what) for what in (GRB.Callback.MIP_OBJBST, GRB.Callback.MIP_OBJBND, GRB.Callback.MIP_NODCNT))
+        wanted = (GRB.Callback.MIP_OBJBST, GRB.Callback.MIP_OBJBND, GRB.Callback.MIP_NODCNT)
+        best, bound, nodes = map(model.cbGet, wanted)
         report(options, clock, best, bound, int(nodes), "gurobi")
 
 

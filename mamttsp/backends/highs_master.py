@@ -14,9 +14,10 @@ class Master:
 
     def __init__(self, data, options):
         self.data, self.highs = data, highspy.Highs()
-        for name, value in (("threads", options.threads), ("random_seed", options.seed % 2**31), ("mip_rel_gap", options.gap / 2)):
-            self.highs.setOptionValue(name, value)
         self.highs.setOptionValue("output_flag", options.verbose)
+        self.highs.setOptionValue("threads", options.threads)
+        self.highs.setOptionValue("random_seed", options.seed % 2**31)
+        self.highs.setOptionValue("mip_rel_gap", options.gap / 2)
         self.highs.HandleKeyboardInterrupt = True
         self.highs.passModel(_linear_part(data))
         self.integers = np.flatnonzero(data.integer).astype(np.int32)

@@ -45,7 +45,12 @@ def _set_parameters(scip, options, ipopt_file, time_limit):
 class _Watch(pyscipopt.Eventhdlr):
     """Reports incumbents and bounds while SCIP runs, and turns a KeyboardInterrupt into an orderly stop."""
 
-    _EVENTS = tuple(getattr(SCIP_EVENTTYPE, name) for name in ("PRESOLVEROUND", "LPSOLVED", "NODESOLVED", "BESTSOLFOUND"))
+    _EVENTS = (
+        SCIP_EVENTTYPE.PRESOLVEROUND,
+        SCIP_EVENTTYPE.LPSOLVED,
+        SCIP_EVENTTYPE.NODESOLVED,
+        SCIP_EVENTTYPE.BESTSOLFOUND,
+    )
 
     def __init__(self, progress, clock):
         self.progress, self.clock, self.last = progress, clock, -_REPORT_EVERY

@@ -9,7 +9,14 @@ from examples import instance, still
 from mamttsp import InputError, SolverUnavailable, solve
 from mamttsp.backends import METHODS, SOLVERS, backend, choose
 
-PACKAGES = {"gurobi": "gurobipy", "mosek": "mosek", "xpress": "xpress", "copt": "coptpy", "highs": "highspy", "scip": "pyscipopt"}
+PACKAGES = {
+    "copt": "coptpy",
+    "gurobi": "gurobipy",
+    "highs": "highspy",
+    "mosek": "mosek",
+    "scip": "pyscipopt",
+    "xpress": "xpress",
+}
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -22,7 +29,6 @@ def test_what_is_asked_for_is_kept():
     assert choose("micp", "pyomo", "scip") == ("pyomo", "scip")
     assert choose("micp", solver="copt") == ("cvxpy", "copt")
     assert choose("baseline", "cvxpy") == ("cvxpy", "scip")
-    assert choose("micp", plain=True)[1] == "scip"
 
 
 def test_a_method_is_required():
@@ -71,7 +77,7 @@ def fake_gurobi(monkeypatch):
     sys.modules.pop("mamttsp.backends.gurobi", None)
 
 
-@pytest.mark.parametrize("errno, message", [(10009, "No Gurobi license found"), (10010, "Model too large for size-limited license")])
+@pytest.mark.parametrize("errno, message", [(10009, "No Gurobi license found"), (10010, "Model too large")])
 def test_no_licence_or_one_too_small_is_one_sentence(errno, message, fake_gurobi):
     fake_gurobi(errno, message)
     with pytest.raises(SolverUnavailable, match=f"solver: gurobi cannot solve .*{message}"):

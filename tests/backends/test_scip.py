@@ -80,7 +80,7 @@ def test_verbosity(capfd):
 
 def test_progress_reports_incumbent_and_bound():
     reports = []
-    scip.solve(_formulation(generate(4, 40, 1, seed=0), "baseline"), Options(progress=reports.append))
+    scip.solve(_formulation(generate(3, 20, 1, seed=0), "baseline"), Options(progress=reports.append))
     assert reports and all(report.phase == "scip" for report in reports)
     assert [report.time for report in reports] == sorted(report.time for report in reports)
     known = [report for report in reports if report.gap is not None]
