@@ -1,34 +1,47 @@
-"""Where the search for the MICP branches: on an edge, flown or not."""
+"""Where the search for the MICP branches: does one target follow another? And then: on which edge?"""
 
 import numpy as np
 
-_WHOLE = 1.0 - 1e-6
+_TOLERANCE = 1e-6
 
 
-def without_rivals(graph, alive, edge):
-    """Return the edges left if `edge` is flown: no other one leaves its tail's target or enters its head's target."""
-    (i, j), (tail, head) = graph.edges[edge], graph.edges.T
-    rival = np.zeros(len(alive), dtype=bool)
-    if i != graph.s:
-        rival |= graph.tau[tail] == graph.tau[i]
-    if j != graph.s_prime:
-        rival |= graph.tau[head] == graph.tau[j]
-    rival[edge] = False
-    return alive & ~rival
+def branch(graph, y, alive):
+    """Return two disjoint sets of edges (|E|,), parts of `alive`, that together keep every choice; None if one is left.
 
-
-def choose_edge(graph, y, alive):
-    """Return the edge with the largest fractional flow among those that have rivals left, None if none has.
-
-    If the flow is whole on all of them, any one with flow is taken: its numbers may still hide something.
+    In the first set some target, or the depot, is followed by another one as the flow y suggests; in the second it is not.
+    The pair whose flow is nearest to one half is taken: it changes most either way. Once all pairs are whole, the
+    fractional edge with the most flow is.
     """
+    leaving, entering = graph.tau[graph.edges.T] % (graph.n_targets + 1)  # s and s', -1 in tau, come last
+    pair = leaving * (graph.n_targets + 1) + entering
+    distance = np.abs(np.bincount(pair[alive], y[alive]) - 0.5)
+    if distance.min() < 0.5 - _TOLERANCE:
+        chosen = pair == distance.argmin()
+    elif (edge := _edge(graph, y, alive)) is not None:
+        chosen = np.arange(len(alive)) == edge
+    else:
+        return None
+    return alive & ~_rivals(graph, chosen), alive & ~chosen
+
+
+def _rivals(graph, chosen):
+    """Return the edges that cannot be flown if one of `chosen`, all from one target to one other, is."""
+    rivals = np.zeros(len(chosen), dtype=bool)
+    for target in graph.tau[graph.edges.T]:
+        shared = target[chosen][0]
+        if shared >= 0:  # any number of edges may leave s and enter s'
+            rivals |= target == shared
+    return rivals & ~chosen
+
+
+def _edge(graph, y, alive):
+    """Return the edge with the largest fractional flow among those with rivals; if none is fractional, any with flow."""
     contested = np.zeros(len(alive), dtype=bool)
     for target in graph.tau[graph.edges.T]:
-        at_target = alive & (target >= 0)  # edges from s and to s' have no rivals there
-        contested[at_target] |= np.bincount(target[at_target])[target[at_target]] > 1
-    candidates = np.flatnonzero(contested)
-    if not len(candidates):
+        held = alive & (target >= 0)
+        contested[held] |= np.bincount(target[held])[target[held]] > 1
+    if not contested.any():
         return None
-    fractional = candidates[y[candidates] < _WHOLE]
-    candidates = fractional if y[fractional].max(initial=0.0) > 1 - _WHOLE else candidates
-    return candidates[np.argmax(y[candidates])]
+    weight = np.where(contested, y, -1.0)
+    fractional = np.where(y < 1.0 - _TOLERANCE, weight, -1.0)
+    return fractional.argmax() if fractional.max() > _TOLERANCE else weight.argmax()

@@ -13,13 +13,15 @@ from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, relative_gap
 from ..subtours import read_flow
 from ..tours import best_tours
 from .answer import Answer, Progress
-from .branching import choose_edge, without_rivals
+from .branching import branch
 from .conic import conic_program
 from .perspective import Perspective
 from .propagation import propagate
 from .rounding import round_flow
+from .separation import violated_sets
 
-_INTEGRAL = 1e-6
+#: relative gap below which relaxations and best times are too inexact to tell lengths apart
+LEAST_GAP = 1e-6
 
 
 def solve(formulation, options):
@@ -57,7 +59,7 @@ class _Search:
     @property
     def cutoff(self):
         """What is at least this long is not worth looking for."""
-        return self.length * (1.0 - self.options.gap)
+        return self.length * (1.0 - max(self.options.gap, LEAST_GAP))
 
     @property
     def bound(self):
@@ -67,9 +69,9 @@ class _Search:
     def run(self):
         """Search until the gap is proved; return False if the time limit came first."""
         self._push(0.0, np.ones(len(self.graph.edges), dtype=bool))
-        while self.heap:
+        while self.heap and self.heap[0][0] < self.cutoff:
+            self.current = self.heap[0][0]  # before the node is taken off, so that `bound` holds at any moment
             bound, _, alive = heapq.heappop(self.heap)
-            self.current = bound
             if not self._dive(bound, alive):
                 return False
             self.current = math.inf
@@ -89,13 +91,12 @@ class _Search:
                 return True
             bound, alive, y = found
             self.current = bound
-            edge = choose_edge(self.graph, y, alive)
-            if edge is None:
+            children = branch(self.graph, y, alive)
+            if children is None:
+                self._try_last(alive)
                 return True
-            flown, avoided = without_rivals(self.graph, alive, edge), alive.copy()
-            avoided[edge] = False
-            self._push(bound, avoided)
-            alive = flown
+            alive, other = children
+            self._push(bound, other)
 
     def _process(self, bound, alive):
         """Return (bound, alive, y) of a node with less left to it, or None if nothing better than the incumbent is."""
@@ -107,37 +108,38 @@ class _Search:
             relaxed = self.relaxation.relax(alive, times, self._time_left())
             self.nodes += 1
             bound = max(bound, relaxed.bound)
-            if math.isinf(bound):
-                return None
-            if not self._cut_cycles(alive, relaxed.y):
+            if bound >= self.cutoff or not self._cut_subtours(relaxed.y):
                 break
-        self._round(relaxed.y, alive)
+        if not math.isinf(bound):
+            self._try(round_flow(self.graph, relaxed.y, alive, self.n_agents))
         if bound >= self.cutoff:
             self.closed = min(self.closed, bound)
             return None
         return bound, self._without_dear_edges(bound, alive, relaxed.extra), relaxed.y
 
-    def _cut_cycles(self, alive, y):
-        """Cut off the cycles that miss the depot in an integral flow; tell whether there were any."""
-        if np.abs(y - np.rint(y)).max() > _INTEGRAL:
-            return False
-        _, cycles = read_flow(self.graph, y)
-        for cycle in cycles:
-            targets = self.graph.tau[list(cycle)]
-            inside = np.isin(self.graph.tau[self.graph.edges], targets).all(axis=1)
-            self.relaxation.add_cut(np.flatnonzero(inside), len(targets) - 1)
-            self.cuts += 1
-        return bool(cycles)
+    def _cut_subtours(self, y):
+        """Cut off the sets of targets that the flow y enters less than once; tell whether there were any."""
+        sets = violated_sets(self.graph, y)
+        inside = [np.isin(self.graph.tau[self.graph.edges], S).all(axis=1) for S in sets]
+        if sets:
+            self.relaxation.add_cuts([(np.flatnonzero(edges), len(S) - 1) for S, edges in zip(sets, inside)])
+            self.cuts += len(sets)
+        return bool(sets)
 
-    def _round(self, y, alive):
-        """Try tours near the flow y, with their best times, as the new incumbent."""
-        routes = round_flow(self.graph, y, alive, self.n_agents)
+    def _try(self, routes):
+        """Take the routes, with their best times, as the new incumbent if they can be flown and are shorter."""
         if routes is None or (key := tuple(routes)) in self.tried:
             return
         self.tried.add(key)
         found = best_tours(self.graph, [list(route) for route in routes])
         if found is not None and found[0] < self.length:
             self.length, self.flow = found[0], _flow_of(self.graph, routes)
+
+    def _try_last(self, alive):
+        """Try the one choice of edges that a node has left."""
+        paths, cycles = read_flow(self.graph, alive)
+        if not cycles:
+            self._try(paths)
 
     def _without_dear_edges(self, bound, alive, extra):
         """Take away the edges that no solution better than the incumbent can fly."""

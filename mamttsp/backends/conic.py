@@ -27,14 +27,15 @@ class ConicProgram:
     n_nonneg: int
     columns: dict
 
-    def with_cut(self, edges, limit):
-        """Return the program with the row y(edges) <= limit more, after its other rows at least zero."""
-        row = np.zeros((1, len(self.c)))
-        row[0, self.columns["y"][edges]] = 1.0
+    def with_cuts(self, cuts):
+        """Return the program with a row y(edges) <= limit more for each (edges, limit), after its rows at least zero."""
+        rows = np.zeros((len(cuts), len(self.c)))
+        for row, (edges, _) in zip(rows, cuts):
+            row[self.columns["y"][edges]] = 1.0
         linear = self.n_zero + self.n_nonneg
-        A = sparse.vstack([self.A[:linear], sparse.csr_array(row), self.A[linear:]], format="csr")
-        b = np.insert(self.b, linear, limit)
-        return dataclasses.replace(self, A=A, b=b, n_nonneg=self.n_nonneg + 1)
+        A = sparse.vstack([self.A[:linear], sparse.csr_array(rows), self.A[linear:]], format="csr")
+        b = np.concatenate([self.b[:linear], [limit for _, limit in cuts], self.b[linear:]])
+        return dataclasses.replace(self, A=A, b=b, n_nonneg=self.n_nonneg + len(cuts))
 
 
 def conic_program(formulation):

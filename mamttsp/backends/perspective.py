@@ -16,6 +16,8 @@ from .edge_rows import EdgeRows, without_positions
 
 #: least width of an interval of time, as a fraction of the horizon, so that the relaxation has an interior
 _MIN_WIDTH = 1e-7
+#: what rounding may do to a sum, as a fraction of its terms
+_ROUNDING = 1e-9
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -36,11 +38,12 @@ class Perspective:
 
     def __init__(self, program, graph, n_agents, threads=1):
         self.graph, self.n_agents, self.threads = graph, n_agents, threads
+        self.R = graph.size or 1.0
         self._take(without_positions(program))
 
-    def add_cut(self, edges, limit):
-        """Demand that the flow over `edges` is at most `limit`, in every relaxation from now on."""
-        self._take(self.program.with_cut(edges, limit))
+    def add_cuts(self, cuts):
+        """Demand, for each (edges, limit), a flow over `edges` of at most `limit` in every relaxation from now on."""
+        self._take(self.program.with_cuts(cuts))
 
     def _take(self, program):
         self.program, self.rows = program, EdgeRows(program)
@@ -50,33 +53,31 @@ class Perspective:
         e = np.flatnonzero(alive)
         lo, width = self._intervals(e, times[e])
         columns = self._columns(e, lo, width)
-        zero, nonneg, cone = self._rows(e, times[e], alive)
-        b = self.program.b
         A = self.program.A @ columns
         used = np.diff(A.indptr) > 0
-        if (b[zero[~used[zero]]] != 0).any() or (b[nonneg[~used[nonneg]]] < 0).any():
-            return Relaxed(math.inf, np.zeros(len(alive)), np.zeros(len(alive)))
+        zero, nonneg, cone = self._rows(e, times[e])
+        if (self.program.b[zero[~used[zero]]] != 0).any() or (self.program.b[nonneg[~used[nonneg]]] < 0).any():
+            return Relaxed(math.inf, np.zeros(len(alive)), np.zeros(len(alive)))  # 0 = 1, say
         zero, nonneg = zero[used[zero]], nonneg[used[nonneg]]
-        signs = _signs(len(e), width > 0)
-        A = A[np.concatenate([zero, nonneg, cone])]
-        core = len(zero) + len(nonneg)
-        full = sparse.vstack([A[:core], signs, A[core:]], format="csc")
-        b = b[np.concatenate([zero, nonneg, cone])]
-        size = len(zero), len(nonneg) + signs.shape[0]
-        c = np.zeros(columns.shape[1])
-        c[1 + len(e) : 1 + 2 * len(e)] = 1.0
-        answer = minimise(c, full, np.concatenate([b[:core], np.zeros(signs.shape[0]), b[core:]]), *size, self.threads, time_limit)
+        rows = np.concatenate([zero, nonneg, cone])
+        return self._solve(e, A[rows], self.program.b[rows], (len(zero), len(nonneg)), width > 0, time_limit)
+
+    def _solve(self, e, A, b, size, wide, time_limit):
+        """Minimise the sum of l over the rows (A, b), of which size = (zero, nonneg) come before the cones."""
+        n, core, signs = len(e), sum(size), _signs(len(e), wide)
+        c = np.zeros(A.shape[1])
+        c[1 + n : 1 + 2 * n] = 1.0
+        A_full = sparse.vstack([A[:core], signs, A[core:]], format="csc")
+        b_full = np.insert(b, core, np.zeros(signs.shape[0]))
+        size = size[0], size[1] + signs.shape[0]
+        answer = minimise(c, A_full, b_full, *size, self.threads, time_limit)
         z = np.delete(dual_point(answer, *size), np.s_[core : core + signs.shape[0]])
-        flow = np.zeros(len(alive))
-        extra = np.zeros(len(alive))
-        flow[e] = answer.x[1 : 1 + len(e)]
-        if claims_infeasible(answer):
-            proof, _ = self._proved(0 * c, A, b, z, width > 0)
-            bound = math.inf if proof > 1e-9 * np.abs(b * z).sum() else -math.inf
-            return Relaxed(bound, np.nan_to_num(flow), extra)
-        bound, extra[e] = self._proved(c, A, b, z, width > 0)
-        R = self.graph.size
-        return Relaxed(R * bound, flow, R * extra)
+        flow, extra = np.zeros(len(self.graph.edges)), np.zeros(len(self.graph.edges))
+        flow[e] = np.nan_to_num(answer.x[1 : 1 + n])
+        if claims_infeasible(answer) and self._proved(0 * c, A, b, z, wide)[0] > _ROUNDING * np.abs(b * z).sum():
+            return Relaxed(math.inf, flow, extra)
+        bound, extra[e] = self._proved(c, A, b, z, wide)
+        return Relaxed(self.R * bound, flow, self.R * extra)
 
     def _proved(self, c, A, b, z, wide):
         """Return (bound, extra) that the duals z of the joint, speed and cone rows prove, in units of R.
@@ -105,7 +106,7 @@ class Perspective:
 
     def _columns(self, e, lo, width):
         """Return the matrix that gives the program's columns from alpha, y, l and the u and u' of widths above 0."""
-        columns, n, R = self.program.columns, len(e), self.graph.size
+        columns, n = self.program.columns, len(e)
         y, l, z, z_prime = (columns[name][e] for name in ("y", "l", "z_t", "z_t_prime"))
         wide = [np.flatnonzero(w > 0) for w in width]
         own = 1 + np.arange(n)
@@ -113,12 +114,12 @@ class Perspective:
         u_prime = 1 + 2 * n + len(wide[0]) + np.arange(len(wide[1]))
         into = [np.atleast_1d(columns["alpha"]), y, z, z_prime, l, z[wide[0]], z_prime[wide[1]]]
         of = [[0], own, own, own, own + n, u, u_prime]
-        by = [[1.0], np.ones(n), lo[0], lo[1], np.full(n, R), width[0][wide[0]], width[1][wide[1]]]
+        by = [[1.0], np.ones(n), lo[0], lo[1], np.full(n, self.R), width[0][wide[0]], width[1][wide[1]]]
         into, of, by = (np.concatenate(part) for part in (into, of, by))
         shape = len(self.program.c), 1 + 2 * n + len(u) + len(u_prime)
         return sparse.csr_array((by, (into, of)), shape=shape)
 
-    def _rows(self, e, times, alive):
+    def _rows(self, e, times):
         """Return the rows that join edges, zero and at least zero, with the speed rows that matter, and the cones."""
         g = self.graph
         i, j = g.edges[e].T

@@ -1,0 +1,58 @@
+"""The relaxed bound of an instance: the paper's MICPs without the demand that y is whole, solved by Clarabel."""
+
+import math
+
+import numpy as np
+
+from .backends.conic import conic_program
+from .backends.conic_solver import claims_infeasible, dual_point, minimise
+from .formulations import build_formulation
+from .graph import build_graph
+from .instance import InputError
+
+METHODS = ("micp", "baseline")
+
+
+def relax(instance, method="micp", modeler="cvxpy", prune=False):
+    """Return a lower bound (units) on the total length of all tours: the optimum of the continuous relaxation.
+
+    method: "micp" or "baseline", whose relaxation is 0; modeler: "cvxpy" or "pyomo"; prune: leave out edges that no
+    agent can fly. Infinity if even the relaxation is infeasible. InputError: an unknown method or modeler.
+
+    The bound is proved by Clarabel's dual point, residual included (see backends.conic_solver): it is a little
+    below the relaxation's optimum, by about 1e-7 of it, and never above.
+    """
+    if method not in METHODS:
+        raise InputError(f"method: expected one of {', '.join(METHODS)} for a relaxation, found {method!r}")
+    graph = build_graph(instance, prune)
+    program = conic_program(build_formulation(method, modeler, graph, instance.n_agents))
+    size = program.n_zero, program.n_nonneg
+    answer = minimise(program.c, program.A, program.b, *size)
+    z = dual_point(answer, *size)
+    if claims_infeasible(answer) and _proved(0 * program.c, program, z, graph, instance.n_agents) > 0:
+        return math.inf
+    return max(0.0, _proved(program.c, program, z, graph, instance.n_agents))  # lengths are not negative
+
+
+def _proved(c, program, z, graph, n_agents):
+    """Return -b z + the least value of r x, with r = c + A' z, over what the variables can be at an optimum."""
+    r = c + program.A.T @ z
+    excess = np.abs(r) * _magnitudes(program, graph, n_agents)
+    if "alpha" not in program.columns:
+        return -program.b @ z - excess.sum()
+    # The MICP's edge variables are at most y_e times their magnitudes, and the y_e sum up to n + alpha.
+    alpha = program.columns["alpha"]
+    edges = [columns.reshape(len(graph.edges), -1) for name, columns in program.columns.items() if name != "alpha"]
+    worst = max(sum(excess[columns].sum(axis=1) for columns in edges))
+    return -program.b @ z - (graph.n_targets + n_agents) * worst - excess[alpha].sum()
+
+
+def _magnitudes(program, graph, n_agents):
+    """Return a bound on the absolute value of each column, at an optimum where no l is longer than it must be."""
+    T, R = graph.horizon, graph.size
+    farthest = max(np.abs(graph.p_lo).max(), np.abs(graph.p_hi).max())
+    bounds = {"y": 1.0, "alpha": n_agents, "t": T, "z_t": T, "z_t_prime": T, "z_p": farthest, "z_p_prime": farthest}
+    magnitudes = np.full(len(program.c), 2.0 * R)  # l, l_xy and l_bar, which is at most l + R
+    for name in bounds.keys() & program.columns.keys():
+        magnitudes[program.columns[name]] = bounds[name]
+    return magnitudes
