@@ -51,10 +51,9 @@ class Forest:
 
     def _collect(self):
         """Gather the closed routes of all layers as columns."""
-        self._closing, found = [], []
+        found = []
         for s, layer in enumerate(self.layers, start=1):
             bound, cost = lab.closings(layer, s, self.pieces, self._home, self._relaxation.rest[self.n - s])
-            self._closing.append(bound)
             hits = np.flatnonzero(bound <= self._limit)
             found.append((np.full(len(hits), s), hits, layer.visited[hits], cost[hits], bound[hits]))
         self.depth, self.label, self.visited, cost, bound = (np.concatenate(part) for part in zip(*found))
@@ -70,17 +69,25 @@ class Forest:
             x = layer.parent[x]
         return route[::-1]
 
-    def used_pieces(self, limit):
-        """Return (after, before): the (s, q) and (k, q) on complete labels of bound at most `limit`, dominated ones included."""
-        n, limit = self.n, limit - self._constant
+    def segments(self, column):
+        """Return the segments of a column's route, a tuple of nodes of the graph in the order of its visits."""
+        return tuple(int(i) for i in self.pieces.segment[self.route(column)])
+
+    def used_pieces(self, alive):
+        """Return (after, before): the (s, q) and (k, q) on routes of the columns marked `alive` (J,), or dominated by them."""
+        n = self.n
         after = np.zeros_like(self._relaxation.after)
         before = np.zeros_like(self._relaxation.before)
-        least = [np.inf] * (n + 1)
+        through = None
         for s in range(n, 0, -1):
-            layer, closing = self.layers[s - 1], self._closing[s - 1]
-            value = closing if s == n else lab.best_through(self.links[s - 1], len(closing), least[s + 1], closing)
-            least[s] = value
-            after[s, layer.piece[value <= limit]] = True
+            layer = self.layers[s - 1]
+            leads = np.zeros(len(layer.left), dtype=bool)
+            leads[self.label[alive & (self.depth == s)]] = True
+            if s < n:
+                links = self.links[s - 1]
+                leads[links[through[links[:, 1]], 0]] = True
+            through = leads
+            after[s, layer.piece[leads]] = True
         for s in range(1, n + 1):  # with several agents the routes through (s, q) may have any number of visits to come
             for k in range(n - s + 1):
                 if np.isfinite(self._relaxation.rest[n - s - k]):

@@ -264,11 +264,3 @@ def closings(labels, s, pieces, to_go, others):
         bound[x] = cost[x] + others
     return bound, cost
 
-
-@njit(cache=True)
-def best_through(links, size, value_after, closing):
-    """Return (size,) the least bound of a complete label reached through each label of a layer."""
-    best = closing.copy()
-    for y in range(len(links)):
-        best[links[y, 0]] = min(best[links[y, 0]], value_after[links[y, 1]])
-    return best

@@ -40,21 +40,24 @@ class Pieces(NamedTuple):
     horizon: float
 
 
-def make_pieces(graph, segment, a, b):
-    """Return the Pieces with the given segments (Q,), starts and ends (Q,) in s."""
+def make_pieces(graph, segment, a, b, targets):
+    """Return the Pieces with the given segments (Q,), starts and ends (Q,) in s; targets: those served, numbered from 0 in
+    this order in the pieces."""
     v = np.ascontiguousarray(graph.v[segment])
     p = graph.p_lo[segment] + (a - graph.t_lo[segment])[:, None] * v
-    target = graph.tau[segment].astype(np.int64)
+    number = np.full(graph.n_targets, -1)
+    number[list(targets)] = np.arange(len(targets))
+    target = number[graph.tau[segment]]
     depot = graph.p_lo[graph.s].copy()
     legs = _legs(target, a, b, p, v, graph.max_speed)
     first, last, ready = _depot_legs(a, b, p, v, depot, graph.max_speed, graph.horizon)
     return Pieces(segment, target, a, b, p, v, legs, first, last, ready, depot, graph.max_speed, graph.horizon)
 
 
-def even_cuts(graph, width):
-    """Return (segment, a, b) of every segment cut into equal pieces of at most `width` seconds."""
+def even_cuts(graph, segments, width):
+    """Return (segment, a, b), each (Q,): the segments cut into equal pieces of at most `width` seconds."""
     rows = []
-    for i in graph.V_seg:
+    for i in segments:
         count = max(1, math.ceil((graph.t_hi[i] - graph.t_lo[i]) / width - 1e-9))
         points = np.linspace(graph.t_lo[i], graph.t_hi[i], count + 1)
         rows += [(i, start, end) for start, end in zip(points[:-1], points[1:])]

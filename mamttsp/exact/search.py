@@ -1,206 +1,228 @@
-"""The exact solver: bound, find, eliminate, enumerate, refine, until the gap is closed.
+"""The search: rounds of bounding, finding, eliminating, enumerating and refining, until the gap is closed.
 
 Every round works on pieces of the segments. (1) Multipliers raise the bound of the relaxed routes (`multipliers`). (2) A
-beam of labels and a small set partitioning give tours, timed by the SOCP. (3) Pieces on no relaxed solution better than
-the incumbent are dropped. (4) If few enough labels remain, all of them are grown and the set partitioning over their
-routes gives a bound that holds for every solution. (5) Only pieces on routes still within the gap are kept, cut finer
-around the incumbent's visit times, and the next round starts. Bounds are of second order in the pieces' lengths.
+beam of labels gives routes, timed by the SOCP. (3) Pieces on no relaxed solution better than the incumbent are dropped.
+(4) If few enough labels remain, all of them are grown, and the set partitioning over their routes bounds every
+solution. (5) Only pieces on routes still within the gap are kept, cut finer around the incumbent's visit times, and the
+next round starts; with several agents, the sets of targets that compete are settled one by one instead (`settle`).
+All bounds are of second order in the lengths of the pieces.
 """
 
 import math
 import time
 
 import numpy as np
+from scipy import sparse
 
 from ..backends.answer import Progress
-from ..graph import build_graph
-from ..tours import best_times, to_tour
-from . import memory, pieces as pc
+from ..solution import relative_gap
+from . import memory
 from .forest import Forest
+from .heuristic import first_tours
+from .incumbent import Incumbent
 from .multipliers import Relaxation, ascend
-from .partition import choose
+from .partition import choose, relax_choice
+from .pieces import even_cuts, make_pieces
+from .settle import Sets, settle
 
-_FIRST_PIECES = 160
-_MOST_LABELS = 25_000_000
+_PIECES = 150
+_MEMORY = 7
+_BEAM = 1000
+_FEW_LABELS, _MOST_LABELS = 300_000, 25_000_000
+_FEW_SETS = 4000
+#: every bound is lowered by this share, far above the rounding errors of the sums it comes from
 _SAFETY = 1e-9
+#: label extensions per second, an underestimate, to stop in time
+_RATE = 2e7
 
 
-class Search:
-    """One run of the exact solver on one instance; `run` leaves objective, bound, routes and status."""
+class Clock:
+    """Wall time since the start, and a deadline."""
 
-    def __init__(self, instance, time_limit=None, gap=1e-4, progress=None):
-        self.graph = build_graph(instance)
-        self.n, self.m = instance.n_targets, min(instance.n_agents, instance.n_targets)
-        self.gap, self.progress = gap, progress
+    def __init__(self, time_limit=None):
         self.start = time.perf_counter()
-        self.deadline = math.inf if time_limit is None else self.start + time_limit
-        self.bound, self.objective, self.routes = 0.0, math.inf, None
-        self.labels = 0
-        self.timed = {}
-
-    # -- state of the run
+        self.limit = math.inf if time_limit is None else time_limit
 
     def elapsed(self):
         return time.perf_counter() - self.start
 
-    def out_of_time(self):
-        return time.perf_counter() >= self.deadline
+    def left(self):
+        return self.limit - self.elapsed()
+
+    def out(self):
+        return self.left() <= 0.0
+
+
+class Search:
+    """A run of the exact solver for some targets of a graph. `bound` holds at every moment, `incumbent` is the best found.
+
+    cutoff: value from which solutions are of no interest; `bound` may then stop there.
+    """
+
+    def __init__(self, graph, targets, n_agents, gap, clock, progress=None, seed=0, cutoff=math.inf):
+        self.graph, self.targets, self.n, self.m = graph, list(targets), len(targets), min(n_agents, len(targets))
+        self.gap, self.clock, self.progress, self.seed, self.cutoff = gap, clock, progress, seed, cutoff
+        self.incumbent = Incumbent(graph, self.m)
+        self.bound, self.labels = 0.0, 0
+        self.pi, self.most, self.beam = np.zeros(self.n), _FEW_LABELS, _BEAM
+        self.enumerated = False
+        windows = sum(self.graph.t_hi[i] - self.graph.t_lo[i] for i in self._segments())
+        self.width = max(windows / _PIECES, 1e-6 * graph.horizon)
+        self.start_from(*even_cuts(graph, self._segments(), self.width))
+
+    def _segments(self):
+        return [int(i) for u in self.targets for i in self.graph.C(u)]
+
+    def start_from(self, segment, a, b):
+        """Let the first round work on these pieces."""
+        self.cut = segment, a, b
+        self.after = np.ones((self.n + 1, len(a)), dtype=bool)
+        self.before = np.ones((self.n, len(a)), dtype=bool)
+
+    # -- where the run stands
+
+    @property
+    def upper(self):
+        return min(self.incumbent.objective, self.cutoff)
+
+    @property
+    def limit(self):
+        """Solutions at or above this value need not be looked at: the gap may stay that wide."""
+        return self.upper * (1.0 - 0.5 * self.gap)
 
     def closed(self):
-        return self.bound >= self.objective - self.gap * abs(self.objective)
+        return self.bound >= self.upper * (1.0 - self.gap)
 
     def raise_bound(self, bound):
-        self.bound = min(max(self.bound, bound * (1.0 - _SAFETY)), self.objective)
-
-    def limit(self):
-        """Solutions at or above this value need not be looked at."""
-        return self.objective * (1.0 - 0.5 * self.gap)
+        self.bound = min(max(self.bound, bound * (1.0 - _SAFETY)), self.upper)
 
     def report(self, phase):
         if self.progress:
-            objective = None if math.isinf(self.objective) else self.objective
-            gap = None if objective is None else max(0.0, (objective - self.bound) / objective) if objective else 0.0
-            self.progress(Progress(self.elapsed(), objective, self.bound, gap, self.labels, phase))
+            objective = None if math.isinf(self.incumbent.objective) else self.incumbent.objective
+            gap = relative_gap(objective, self.bound)
+            self.progress(Progress(self.clock.elapsed(), objective, self.bound, gap, self.labels, phase))
 
-    # -- the rounds
+    def over(self):
+        return self.closed() or self.clock.out()
 
-    def run(self):
-        width = sum(self.graph.t_hi[1:-1] - self.graph.t_lo[1:-1]) / _FIRST_PIECES
-        self.cut = pc.even_cuts(self.graph, max(width, 1e-6 * self.graph.horizon))
-        self.after = np.ones((self.n + 1, len(self.cut[0])), dtype=bool)
-        self.before = np.ones((self.n, len(self.cut[0])), dtype=bool)
-        self.width, self.pi, self.most = width, np.zeros(self.n), 300_000
-        iterations = 60
-        while not self.closed() and not self.out_of_time():
+    # -- the run
+
+    def run(self, iterations=40):
+        """Run rounds until the gap is closed, infeasibility is proved (bound infinite) or time is up."""
+        while not self.over():
             self.round(iterations)
-            iterations = 25
+            iterations = 3 if self.enumerated else 15
+
+    def find_first(self, iterations=1500):
+        """Look for tours by ruin and recreate."""
+        routes = first_tours(self.graph, self.m, iterations, self.seed)
+        if routes:
+            self.incumbent.offer([tuple(route) for route in routes])
+        self.report("heuristic")
 
     def round(self, iterations):
-        pieces = pc.make_pieces(self.graph, *self.cut)
-        N = memory.neighbourhoods(pieces, self.n, 7)
+        pieces = make_pieces(self.graph, *self.cut, self.targets)
+        N = memory.neighbourhoods(pieces, self.n, _MEMORY)
         relaxation = Relaxation(pieces, self.n, self.m, N, memory.transitions(N), self.after, self.before)
-        if math.isinf(self.objective):
-            bound, self.pi = ascend(relaxation, self.pi, self.guess(relaxation), iterations // 2, self.out_of_time)
-            if math.isinf(bound):
-                self.bound = math.inf
-                return
-            self.raise_bound(bound)
-            self.dive(relaxation, 1000)
-        if self.objective < math.inf:
-            bound, self.pi = ascend(relaxation, self.pi, self.objective, iterations, self.out_of_time)
-            self.raise_bound(bound)
-            self.report("multipliers")
-            if self.closed(): return
-            self.dive(relaxation, 1000)
-        self.report("beam")
-        relaxation.eliminate(self.pi, self.limit())
-        self.report(f"eliminate {self.after.any(axis=0).sum()} -> {relaxation.after.any(axis=0).sum()} pieces")
-        if self.out_of_time(): return
-        done = self.enumerate(relaxation)
-        if not done:
-            self.after, self.before = relaxation.after, relaxation.before
-            self.most = min(4 * self.most, _MOST_LABELS)
-        self.refine(2.0 if not done else 3.0)
-
-    def guess(self, relaxation):
-        bound, _ = relaxation.evaluate(self.pi)
-        return 1.3 * bound
-
-    def dive(self, relaxation, beam):
-        forest = Forest(relaxation, self.pi, self.limit(), np.inf, beam=beam, out_of_time=self.out_of_time)
-        if forest.complete:
-            self.improve(forest)
-
-    def improve(self, forest, most=150):
-        """Time the most promising routes exactly and choose among them."""
-        order = np.argsort(forest.bound, kind="stable")
-        columns, routes, costs, seen = [], [], [], set()
-        if self.m > 1 and len(order) > most:
-            _, chosen = choose(forest.members[:, order[:3000]], forest.cost[order[:3000]], self.m, time_limit=2.0)
-            if chosen is not None:
-                order = np.r_[order[chosen], order]
-        for j in order:
-            route = tuple(int(i) for i in forest.pieces.segment[forest.route(j)])
-            if route in seen:
-                continue
-            seen.add(route)
-            found = self.time(route)
-            if found is not None:
-                columns.append(j), routes.append(route), costs.append(found)
-            if len(seen) >= most:
-                break
-        if not columns:
+        bound, self.pi = ascend(relaxation, self.pi, self.upper, iterations, self.clock.out)
+        self.raise_bound(bound)
+        self.report("multipliers")
+        if self.over():
             return
-        _, chosen = choose(forest.members[:, columns], np.array(costs), self.m)
-        if chosen is not None:
-            self.accept([routes[j] for j in chosen])
+        if not self.enumerated:
+            self.dive(relaxation)
+        relaxation.eliminate(self.pi, self.limit)
+        if self.clock.out():
+            return
+        self.after, self.before = relaxation.after, relaxation.before
+        self.enumerate(relaxation)
+        if not self.over():
+            self.refine()
 
-    def time(self, route):
-        if route not in self.timed:
-            found = best_times(self.graph, list(route))
-            self.timed[route] = None if found is None else found[0]
-        return self.timed[route]
-
-    def accept(self, routes):
-        objective = sum(self.time(route) for route in routes)
-        if objective < self.objective:
-            self.objective, self.routes = objective, routes
+    def dive(self, relaxation):
+        """Look for tours among the routes of a beam of labels."""
+        forest = Forest(relaxation, self.pi, self.limit, np.inf, beam=self.beam, out_of_time=self.clock.out)
+        if forest.complete and len(forest.cost):
+            self.incumbent.improve(forest, np.arange(len(forest.cost)))
+        self.report("beam")
 
     def enumerate(self, relaxation):
-        budget = np.inf
-        if self.deadline < math.inf:
-            budget = (self.deadline - time.perf_counter()) * 2e7
-        forest = Forest(relaxation, self.pi, self.limit(), self.most, budget=budget, out_of_time=self.out_of_time)
+        """Grow all labels within the limit, bound every solution by the choice among their routes, drop unused pieces."""
+        budget = self.clock.left() * _RATE
+        forest = Forest(relaxation, self.pi, self.limit, self.most, budget=budget, out_of_time=self.clock.out)
         self.labels += forest.size
+        self.enumerated = forest.complete
         if not forest.complete:
-            self.report(f"too many labels {forest.size} of {self.most}")
-            return False
-        self.improve(forest)
-        bound, chosen = choose(forest.members, forest.cost, self.m, self.limit()) if len(forest.cost) else (np.inf, None)
-        if chosen is not None:
-            routes = [tuple(int(i) for i in forest.pieces.segment[forest.route(j)]) for j in chosen]
-            if all(self.time(r) is not None for r in routes): self.accept(routes)
-        self.raise_bound(min(bound, self.limit_used(relaxation)))
-        self.after, self.before = forest.used_pieces(self.limit())
-        self.report(f"labels {[len(l.left) for l in forest.layers]} columns {len(forest.cost)} used {self.after.any(axis=0).sum()}")
-        return True
+            self.most = min(4 * self.most, _MOST_LABELS)
+            self.report("labels")
+            return
+        relaxed = relax_choice(forest.members, forest.cost, self.m, self.limit)
+        self.raise_bound(min(relaxed.bound, self.limit))
+        alive = relaxed.slack >= 0.0
+        if alive.any():
+            self.incumbent.improve(forest, np.flatnonzero(alive))
+            self.pi = relaxed.dual if self.m > 1 else self.pi
+        self.after, self.before = forest.used_pieces(alive)
+        self.report(f"routes {len(forest.cost)} {alive.sum()} {[len(x.left) for x in forest.layers]} Q{len(relaxation.pieces.a)} {self.after.any(axis=0).sum()}")
+        if self.m > 1 and alive.any() and not self.over():
+            sets = Sets(forest.members[:, alive], forest.cost[alive])
+            self.report(f"sets {len(sets.cost)}")
+            if len(sets.cost) <= _FEW_SETS:
+                self.settle(sets)
 
-    def limit_used(self, relaxation):
-        return self.limit()
+    def settle(self, sets):
+        """Settle the competing sets of targets, each with one agent as a small instance of its own."""
+        self.pool, self.solved = {}, 0
+        settle(sets, self.m, lambda: self.limit, self.solve_set, self.settled, self.clock.out)
 
-    def refine(self, factor):
-        """Cut the pieces still alive into parts `factor` times shorter, the incumbent's visit times in the middle of theirs."""
-        self.width /= factor
-        segment, a, b = self.cut
+    def settled(self, bound):
+        self.raise_bound(bound)
+        if self.pool:
+            members = np.array([[float(u in targets) for targets in self.pool] for u in range(self.n)])
+            cost = np.array([self.incumbent.timed(r)[0] for r in self.pool.values()])
+            _, chosen = choose(sparse.csc_matrix(members), cost, self.m)
+            if chosen is not None:
+                routes = list(self.pool.values())
+                self.incumbent.offer([routes[j] for j in chosen])
+        self.report(f"settle {self.solved}")
+
+    def solve_set(self, targets, cutoff):
+        self.solved+=1
         used = self.after.any(axis=0)
-        centre = self.visit_times()
+        segment, a, b = (part[used] for part in self.cut)
+        mine = [self.targets[u] for u in targets]
+        part = np.isin(self.graph.tau[segment], mine)
+        search = Search(self.graph, mine, 1, 0.1 * self.gap, self.clock, cutoff=cutoff)
+        search.start_from(segment[part], a[part], b[part])
+        search.width = self.width
+        search.run(4)
+        if search.incumbent.routes:
+            self.pool[targets]=search.incumbent.routes[0]
+        return search.bound
+
+    def refine(self):
+        """Cut the pieces still in use into shorter parts, with the incumbent's visit times in the middle of theirs."""
+        self.width /= 3.0 if self.enumerated else 2.0
+        segment, a, b = self.cut
+        centre = self.incumbent.visit_times()
         rows, origin = [], []
-        for q in np.flatnonzero(used):
-            for start, end in _split(a[q], b[q], self.width, centre.get(segment[q])):
+        for q in np.flatnonzero(self.after.any(axis=0)):
+            for start, end in split(a[q], b[q], self.width, centre.get(int(segment[q]))):
                 rows.append((segment[q], start, end))
                 origin.append(q)
-        if not rows:
-            self.raise_bound(self.limit())
-            self.cut=None
+        if not rows:  # nothing is left below the limit
+            self.raise_bound(self.limit)
             return
         self.cut = tuple(np.array(part) for part in zip(*rows))
         self.after, self.before = self.after[:, origin], self.before[:, origin]
 
-    def visit_times(self):
-        times = {}
-        for route in self.routes or ():
-            found = best_times(self.graph, list(route))
-            times.update(zip(route, found[1]))
-        return times
 
-
-def _split(a, b, width, centre):
-    """Return (start, end) pairs that cut [a, b] into parts of at most about `width`."""
+def split(a, b, width, centre=None):
+    """Return (start, end) pairs that cut [a, b] into parts of about `width`, one of them around `centre` if that is inside."""
     if centre is None or not a < centre < b:
         points = np.linspace(a, b, max(1, math.ceil((b - a) / width - 1e-9)) + 1)
     else:
-        half = width / 2
-        inner = np.arange(math.ceil((a - centre + half) / width), math.floor((b - centre + half) / width) + 1) * width
-        inner = centre - half + inner
+        steps = np.arange(math.floor((a - centre) / width), math.ceil((b - centre) / width) + 1) - 0.5
+        inner = centre + steps * width
         points = np.r_[a, inner[(inner > a + 0.1 * width) & (inner < b - 0.1 * width)], b]
     return zip(points[:-1], points[1:])

@@ -1,0 +1,65 @@
+"""The incumbent: real tours only, each route timed by the SOCP once."""
+
+import math
+
+import numpy as np
+
+from ..tours import best_times, to_tour
+from .partition import choose
+
+#: how many routes of a forest are timed exactly in search of better tours
+_TIMED = 150
+#: how many columns a heuristic choice looks at, and for how many seconds
+_FEW, _SECONDS = 3000, 1.0
+
+
+class Incumbent:
+    """The best tours so far. routes: tuples of segments; objective: their length, infinite without routes."""
+
+    def __init__(self, graph, n_agents):
+        self.graph, self.m = graph, n_agents
+        self.objective, self.routes = math.inf, ()
+        self._timed = {}
+
+    def timed(self, route):
+        """Return (length, times) of a route of segments, or None if it cannot be flown."""
+        if route not in self._timed:
+            self._timed[route] = best_times(self.graph, list(route))
+        return self._timed[route]
+
+    def offer(self, routes):
+        """Take the routes if all can be flown and they are shorter than the incumbent."""
+        found = [self.timed(route) for route in routes]
+        if all(found) and (total := sum(length for length, _ in found)) < self.objective:
+            self.objective, self.routes = total, tuple(routes)
+
+    def improve(self, forest, candidates, favourites=()):
+        """Time the most promising columns of a forest exactly, and offer the best choice among them.
+
+        candidates: columns to consider; favourites: columns to consider first.
+        """
+        order = candidates[np.argsort(forest.bound[candidates], kind="stable")]
+        if self.m > 1 and len(order) > _TIMED and not len(favourites):
+            few = order[:_FEW]
+            _, chosen = choose(forest.members[:, few], forest.cost[few], self.m, time_limit=_SECONDS)
+            favourites = () if chosen is None else few[chosen]
+        routes = {}
+        for column in (*favourites, *order):
+            route = forest.segments(column)
+            if self.timed(route) is not None:
+                routes.setdefault(route, column)
+            if len(routes) >= _TIMED:
+                break
+        if routes:
+            costs = np.array([self.timed(route)[0] for route in routes])
+            _, chosen = choose(forest.members[:, list(routes.values())], costs, self.m, time_limit=_SECONDS)
+            if chosen is not None:
+                known = list(routes)
+                self.offer([known[j] for j in chosen])
+
+    def visit_times(self):
+        """Return {segment: visit time} of the incumbent."""
+        return {i: t for route in self.routes for i, t in zip(route, self.timed(route)[1])}
+
+    def tours(self):
+        return tuple(to_tour(self.graph, list(route), self.timed(route)[1]) for route in self.routes)
