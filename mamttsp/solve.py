@@ -49,7 +49,7 @@ def solve(
         return _solve_exact(instance, options, modeler, solver, subtour_cuts)
     if method not in METHODS:
         raise InputError(f"method: expected one of {', '.join(ALL_METHODS)}, found {method!r}")
-    modeler, solver = choose(method, modeler, solver)
+    modeler, solver = choose(method, modeler, solver, plain=not subtour_cuts)
     clock = Clock(time_limit)
     run = backend(solver).solve
     formulation = build_formulation(method, modeler, build_graph(instance, prune), instance.n_agents)

@@ -7,7 +7,6 @@ from oracle import optimum
 from mamttsp import TourError, check, generate, solve
 
 MODELS = [
-    ("micp", "cvxpy", "clarabel"),
     ("micp", "cvxpy", "highs"),
     ("micp", "cvxpy", "scip"),
     ("micp", "pyomo", "scip"),

@@ -71,6 +71,7 @@ def test_a_target_at_the_depot_costs_nothing():
         ({"solver": "scip"}, 'solver: method "exact" has none'),
         ({"modeler": "pyomo"}, 'modeler: method "exact" has none'),
         ({"subtour_cuts": False}, "subtour_cuts: False leaves out"),
+        ({"method": "micp", "solver": "clarabel", "subtour_cuts": False}, "subtour_cuts: clarabel always cuts"),
         ({"time_limit": 0}, "time_limit: expected a number above 0, found 0"),
         ({"time_limit": float("nan")}, "time_limit"),
         ({"gap": -0.1}, "gap: expected a number of at least 0, found -0.1"),

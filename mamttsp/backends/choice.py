@@ -19,17 +19,23 @@ METHODS = _ALL
 MODELERS = ("pyomo", "cvxpy")
 #: by method: the open solvers in order of speed
 _DEFAULTS = {"baseline": ("scip",), "nonconvex": ("scip",), "micp": ("clarabel", "scip")}
+#: cuts cycles off on its own, so it cannot solve a model of the paper as it stands
+_ALWAYS_CUTS = "clarabel"
 
 
-def choose(method, modeler=None, solver=None):
+def choose(method, modeler=None, solver=None, plain=False):
     """Return (modeler, solver) for a method, with the default for each that is None.
 
-    InputError: an unknown name, or a solver that does not solve this method with this modeler.
+    plain: the paper's model is to be solved as it stands, without cuts. InputError: an unknown name, or a solver that
+    does not solve this method with this modeler.
     """
     _check_known("method", method, METHODS)
     _check_known("modeler", modeler, (*MODELERS, None))
     _check_known("solver", solver, (*SOLVERS, None))
-    for candidate in [solver] if solver else _DEFAULTS[method]:
+    if plain and solver == _ALWAYS_CUTS:
+        raise InputError(f"subtour_cuts: {solver} always cuts; for the plain model take another solver, such as scip")
+    defaults = [name for name in _DEFAULTS[method] if not (plain and name == _ALWAYS_CUTS)]
+    for candidate in [solver] if solver else defaults:
         for built_with, methods in SOLVERS[candidate].items():
             if method in methods and modeler in (None, built_with):
                 return built_with, candidate

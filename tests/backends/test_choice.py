@@ -28,6 +28,7 @@ def test_every_method_has_an_open_default(method):
 def test_what_is_asked_for_is_kept():
     assert choose("micp", "pyomo", "scip") == ("pyomo", "scip")
     assert choose("micp", solver="copt") == ("cvxpy", "copt")
+    assert choose("micp", plain=True)[1] == "scip"
     assert choose("baseline", "cvxpy") == ("cvxpy", "scip")
 
 
