@@ -42,11 +42,13 @@ class EdgeRows:
         edge = np.full(A.shape[1], -1)
         for name in ("y", "l", "z_t", "z_t_prime"):
             edge[columns[name]] = np.arange(n_edges)
-        starts = A.indptr[:-1]
         touched = np.diff(A.indptr)
-        first = np.minimum.reduceat(edge[A.indices], starts)
-        own = (first == np.maximum.reduceat(edge[A.indices], starts)) & (first >= 0) & (program.b == 0)
-        with_l = np.bitwise_or.reduceat(np.isin(A.indices, columns["l"]), starts)
+        entry = np.repeat(np.arange(len(program.b)), touched)  # the row of each entry of A
+        first, last, with_l = np.full(len(program.b), n_edges), np.full(len(program.b), -1), np.zeros(len(program.b), dtype=bool)
+        np.minimum.at(first, entry, edge[A.indices])
+        np.maximum.at(last, entry, edge[A.indices])
+        with_l[entry[np.isin(A.indices, columns["l"])]] = True
+        own = (first == last) & (first >= 0) & (program.b == 0)
         row = np.arange(len(program.b))
         self.zero = row[: program.n_zero]
         inequality = (row >= program.n_zero) & (row < linear)

@@ -1,0 +1,62 @@
+"""Relaxed bounds: the same from both modelers, below the optimum, and nothing at all from the baseline."""
+
+import math
+
+import pytest
+from examples import instance, still
+from oracle import optimum
+
+from mamttsp import InputError, build_graph, generate
+from mamttsp.backends.conic import conic_program
+from mamttsp.backends.conic_solver import minimise
+from mamttsp.formulations import build_formulation
+from mamttsp.relaxation import relax
+
+MODELERS = ("cvxpy", "pyomo")
+CASES = [(2, 40, 1, 0), (3, 20, 2, 3), (4, 20, 3, 3), (4, 60, 2, 1)]
+UNREACHABLE = still(50, 0, ((0.0, 5.0),))
+
+
+@pytest.mark.parametrize("n, window, m, seed", CASES)
+def test_both_modelers_and_pruning_give_one_bound(n, window, m, seed):
+    problem = generate(n, window, m, seed)
+    bounds = [relax(problem, "micp", modeler, prune) for modeler in MODELERS for prune in (False, True)]
+    assert bounds == pytest.approx([bounds[0]] * 4, rel=1e-5)
+
+
+@pytest.mark.parametrize("n, window, m, seed", CASES)
+def test_the_bound_is_a_bound_and_says_something(n, window, m, seed):
+    problem = generate(n, window, m, seed)
+    assert 0.3 * optimum(problem) < relax(problem) <= optimum(problem)
+
+
+def test_with_no_choice_left_the_relaxation_is_the_tour():
+    assert 20.0 - 1e-4 <= relax(instance(still(6, 8))) <= 20.0
+
+
+@pytest.mark.parametrize("modeler", MODELERS)
+@pytest.mark.parametrize("n, window, m, seed", CASES)
+def test_the_baselines_relaxation_is_zero(modeler, n, window, m, seed):
+    problem = generate(n, window, m, seed)
+    assert relax(problem, "baseline", modeler) == pytest.approx(0.0, abs=1e-6)
+    program = conic_program(build_formulation("baseline", modeler, build_graph(problem), m))
+    answer = minimise(program.c, program.A, program.b, program.n_zero, program.n_nonneg)
+    assert answer.obj_val == pytest.approx(0.0, abs=1e-6)  # attained: not only a bound that says nothing
+
+
+@pytest.mark.parametrize("modeler", MODELERS)
+def test_a_cut_is_in_the_program(modeler):
+    formulation = build_formulation("micp", modeler, build_graph(generate(3, 20, 2, seed=3)), 2)
+    before = conic_program(formulation)
+    formulation.add_subtour_cut([0, 2])
+    assert conic_program(formulation).n_nonneg == before.n_nonneg + 1
+
+
+@pytest.mark.parametrize("modeler", MODELERS)
+def test_an_infeasible_relaxation_is_infinite(modeler):
+    assert relax(instance(still(5, 0), UNREACHABLE), "micp", modeler) == math.inf
+
+
+def test_a_method_without_a_relaxation_is_refused():
+    with pytest.raises(InputError, match="^method: expected one of micp, baseline"):
+        relax(instance(still(5, 0)), "nonconvex")
