@@ -57,6 +57,14 @@ class Incumbent:
                 known = list(routes)
                 self.offer([known[j] for j in chosen])
 
+    def columns(self, targets):
+        """Return (visits (J, n), cost (J,)) of the incumbent's routes; without one, of a route too dear to be used."""
+        if not self.routes:
+            return np.ones((1, len(targets))), np.array([100.0 * self.graph.size])
+        visited = [set(self.graph.tau[list(route)]) for route in self.routes]
+        visits = np.array([[float(u in route) for u in targets] for route in visited])
+        return visits, np.array([self.timed(route)[0] for route in self.routes])
+
     def visit_times(self):
         """Return {segment: visit time} of the incumbent."""
         return {i: t for route in self.routes for i, t in zip(route, self.timed(route)[1])}

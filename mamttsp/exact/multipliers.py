@@ -1,30 +1,32 @@
-"""Lagrangian bound: 'each target once' goes into the objective with multipliers pi, raised by subgradient steps.
+"""Lagrangian bound: 'each target once' goes into the objective with multipliers pi, raised by column generation.
 
 With at most m relaxed routes of n visits in all, L(pi) = sum(pi) + (least total reduced cost of such routes) is a lower
 bound for every pi. Fixing the total number of visits keeps the bound strong for one agent, where it is one route of n.
 """
 
 import numpy as np
+from scipy import optimize
 
 from . import relaxed
 
+#: weight of the best multipliers so far against those of the master problem (Wentges smoothing)
+_SMOOTHING = 0.7
+#: columns added in a round, and kept in the master
+_NEW, _KEPT = 60, 600
+#: column generation ends when the bound is within this share of the master's value
+_CONVERGED = 1e-3
+
 
 def combine(cost, n_agents):
-    """Return (total, choice), each (m + 1, n + 1): least cost of at most j routes with t visits in all, and the number of
-    visits of the last route in it. cost: (n + 1,) least reduced cost of a route by number of visits.
-    """
+    """Return (m + 1, n + 1): the least cost of at most j routes with t visits in all. cost: (n + 1,) by number of visits."""
     n = len(cost) - 1
     total = np.full((n_agents + 1, n + 1), np.inf)
-    choice = np.zeros((n_agents + 1, n + 1), dtype=int)
     total[0, 0] = 0.0
     for j in range(1, n_agents + 1):
         total[j] = total[j - 1]
         for t in range(1, n + 1):
-            candidates = total[j - 1, t - 1 :: -1] + cost[1 : t + 1]  # routes of 1..t visits
-            best = int(np.argmin(candidates))
-            if candidates[best] < total[j, t]:
-                total[j, t], choice[j, t] = candidates[best], best + 1
-    return total, choice
+            total[j, t] = min(total[j, t], np.min(total[j - 1, t - 1 :: -1] + cost[1 : t + 1]))
+    return total
 
 
 class Relaxation:
@@ -43,30 +45,20 @@ class Relaxation:
         self.index = np.empty(shape, dtype=np.int32)
 
     def evaluate(self, pi):
-        """Return (bound, visits): L(pi), and how often its relaxed routes visit each target (n,), None if there are none."""
+        """Return L(pi), infinite if there are no relaxed solutions, and leave the tables of values to go."""
         relaxed.backward(self.pieces, pi, self.move, self.before, self.value, self.best, self.count, self.index)
-        self.cost, self.start = relaxed.cheapest_routes(self.pieces, pi, self.value, self.count, self.index)
-        self.total, self.choice = combine(self.cost, self.m)
-        if np.isinf(self.total[self.m, self.n]):
-            return np.inf, None
-        return float(pi.sum() + self.total[self.m, self.n]), self._visits()
+        self.cost, self.start = relaxed.cheapest_routes(self.pieces, pi, self.value, self.count, self.index, self.n)
+        self.total = combine(np.r_[np.inf, self.cost.min(axis=1)], self.m)
+        return float(pi.sum() + self.total[self.m, self.n])
 
-    def _visits(self):
-        visits = np.zeros(self.n)
-        t = self.n
-        for j in range(self.m, 0, -1):
-            if length := self.choice[j, t]:
-                np.add.at(visits, self.pieces.target[self._trace(length)], 1)
-                t -= length
-        return visits
-
-    def _trace(self, length):
-        q, mask = self.start[length]
-        route = [q]
-        for k in range(length - 1, 0, -1):
-            q, mask = self.best[k, q, mask]
-            route.append(q)
-        return route
+    def columns(self, pi):
+        """Return (visits (J, n), cost (J,)): cheap relaxed routes, how often they visit each target, and their lengths."""
+        reduced = self.cost if self.m > 1 else self.cost[-1:]  # one agent makes all n visits
+        lengths, firsts = np.nonzero(reduced < np.inf)
+        cheapest = np.argsort(reduced[lengths, firsts], kind="stable")[:_NEW]
+        lengths, firsts = lengths[cheapest] + self.n - len(reduced), firsts[cheapest]
+        visits = relaxed.trace(self.pieces, self.best, self.start, lengths, firsts, self.n)
+        return visits, self.cost[lengths, firsts] + visits @ pi
 
     @property
     def rest(self):
@@ -88,24 +80,36 @@ class Relaxation:
         )
 
 
-def ascend(relaxation, pi, upper, iterations, out_of_time):
-    """Raise L(pi) by Polyak steps towards `upper`; return (best bound, its pi) and leave the tables evaluated there."""
-    best_bound, best_pi, direction = -np.inf, pi, 0.0
-    scale, stalled = 1.0, 0
+def ascend(relaxation, pi, known, iterations, out_of_time):
+    """Raise L(pi) by column generation; return (best bound, its pi) and leave the tables evaluated there.
+
+    known: (visits (J, n), cost (J,)) of columns with which the master problem has a solution.
+    """
+    visits, cost = known
+    best_bound, best_pi = -np.inf, pi
     for _ in range(iterations):
-        bound, visits = relaxation.evaluate(pi)
-        if visits is None:
-            return np.inf, pi
-        stalled = 0 if bound > best_bound + 1e-4 * abs(best_bound) else stalled + 1
+        bound = relaxation.evaluate(pi)
+        if np.isinf(bound):
+            return bound, pi
         if bound > best_bound:
             best_bound, best_pi = bound, pi
-        if stalled >= 4:
-            scale, stalled, pi = 0.6 * scale, 0, best_pi
-        violation = 1.0 - visits
-        if not violation.any() or bound >= upper or out_of_time():
+        more_visits, more_cost = relaxation.columns(pi)
+        visits, cost = np.vstack([visits, more_visits]), np.r_[cost, more_cost]
+        value, dual, reduced = _master(visits, cost, relaxation.m)
+        if value - best_bound <= _CONVERGED * abs(best_bound) or out_of_time():
             break
-        direction = violation + 0.3 * direction
-        pi = pi + scale * (upper - bound) / (direction @ direction) * direction
+        keep = np.argsort(reduced, kind="stable")[:_KEPT]
+        visits, cost = visits[keep], cost[keep]
+        pi = _SMOOTHING * best_pi + (1.0 - _SMOOTHING) * dual
     if pi is not best_pi:
         relaxation.evaluate(best_pi)
     return best_bound, best_pi
+
+
+def _master(visits, cost, n_agents):
+    """Return (value, dual (n,), reduced costs (J,)) of the linear set partitioning over the columns."""
+    answer = optimize.linprog(
+        cost, A_eq=visits.T, b_eq=np.ones(visits.shape[1]), A_ub=np.ones((1, len(cost))), b_ub=[n_agents], method="highs"
+    )
+    dual, fleet = answer.eqlin.marginals, answer.ineqlin.marginals[0]
+    return answer.fun, dual, cost - visits @ dual - fleet

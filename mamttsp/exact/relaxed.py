@@ -159,30 +159,42 @@ def _extend_forward(pieces, pi, move, value, count, index, s, q, r):
 
 
 @njit(cache=True)
-def cheapest_routes(pieces, pi, value, count, index):
-    """Return (cost, start): for each number of visits 0..K the least reduced cost of a relaxed route, and its first state.
-
-    cost: (K + 1,), infinite where there is none; start: (K + 1, 2) piece and memory.
-    """
+def cheapest_routes(pieces, pi, value, count, index, n):
+    """Return (cost, start): the least reduced cost of a relaxed route of k + 1 visits whose first is target u, (K, n), and
+    its first state, (K, n, 2) piece and memory; infinite where there is none."""
     K, Q = count.shape
-    cost = np.full(K + 1, np.inf)
-    start = np.full((K + 1, 2), -1)
+    cost = np.full((K, n), np.inf)
+    start = np.full((K, n, 2), -1)
     for k in range(K):
         for q in range(Q):
             if pieces.first[q, 0] == np.inf:
                 continue
+            u = pieces.target[q]
             width = pieces.b[q] - pieces.a[q]
             share = max(0.0, pieces.ready[q] - pieces.a[q]) / width if width > 0.0 else 0.0
             for z in range(count[k, q]):
                 mask = index[k, q, z]
-                left = pieces.first[q, 0] + value[k, q, mask, 0] - pi[pieces.target[q]]
+                left = pieces.first[q, 0] + value[k, q, mask, 0] - pi[u]
                 right = left + pieces.first[q, 1] * width + value[k, q, mask, 1] - value[k, q, mask, 0]
                 least = min(left + (right - left) * share, right)
-                if least < cost[k + 1]:
-                    cost[k + 1] = least
-                    start[k + 1, 0] = q
-                    start[k + 1, 1] = mask
+                if least < cost[k, u]:
+                    cost[k, u] = least
+                    start[k, u, 0] = q
+                    start[k, u, 1] = mask
     return cost, start
+
+
+@njit(cache=True)
+def trace(pieces, best, start, lengths, firsts, n):
+    """Return (J, n): how often the cheapest route with lengths[j] more visits after first target firsts[j] visits each."""
+    visits = np.zeros((len(lengths), n))
+    for j in range(len(lengths)):
+        q, mask = start[lengths[j], firsts[j]]
+        visits[j, pieces.target[q]] += 1.0
+        for k in range(lengths[j], 0, -1):
+            q, mask = best[k, q, mask]
+            visits[j, pieces.target[q]] += 1.0
+    return visits
 
 
 @njit(cache=True)

@@ -124,7 +124,7 @@ class Search:
         pieces = make_pieces(self.graph, *self.cut, self.targets)
         N = memory.neighbourhoods(pieces, self.n, _MEMORY)
         relaxation = Relaxation(pieces, self.n, self.m, N, memory.transitions(N), self.after, self.before)
-        bound, self.pi = ascend(relaxation, self.pi, self.upper, iterations, self.clock.out)
+        bound, self.pi = ascend(relaxation, self.pi, self.incumbent.columns(self.targets), iterations, self.clock.out)
         self.raise_bound(bound)
         self.report("multipliers")
         if self.over():
