@@ -20,7 +20,7 @@ def relax(instance, method="micp", modeler="cvxpy", prune=False):
     agent can fly. Infinity if even the relaxation is infeasible. InputError: an unknown method or modeler.
 
     The bound is proved by Clarabel's dual point, residual included (see backends.conic_solver): it is a little
-    below the relaxation's optimum, by about 1e-7 of it, and never above.
+    below the relaxation's optimum, by up to about 1e-6 of it, and never above.
     """
     if method not in METHODS:
         raise InputError(f"method: expected one of {', '.join(METHODS)} for a relaxation, found {method!r}")
@@ -31,7 +31,8 @@ def relax(instance, method="micp", modeler="cvxpy", prune=False):
     z = dual_point(answer, *size)
     if claims_infeasible(answer) and _proved(0 * program.c, program, z, graph, instance.n_agents) > 0:
         return math.inf
-    return max(0.0, _proved(program.c, program, z, graph, instance.n_agents))  # lengths are not negative
+    bound = _proved(program.c, program, z, graph, instance.n_agents)
+    return max(0.0, float(bound))  # lengths are not negative
 
 
 def _proved(c, program, z, graph, n_agents):

@@ -6,15 +6,15 @@ _TOLERANCE = 1e-6
 
 
 def branch(graph, y, alive):
-    """Return two disjoint sets of edges (|E|,), parts of `alive`, that together keep every choice; None if one is left.
+    """Return two sets of edges (|E|,), parts of `alive`, that share out all choices; None if one choice is left.
 
-    In the first set some target, or the depot, is followed by another one as the flow y suggests; in the second it is not.
-    The pair whose flow is nearest to one half is taken: it changes most either way. Once all pairs are whole, the
-    fractional edge with the most flow is.
+    In the first set some target, or the depot, is followed by some other one; in the second it is not. The pair whose
+    flow in y is nearest to one half is taken: it changes most either way. Once all pairs are whole, the fractional edge
+    with the most flow is.
     """
     leaving, entering = graph.tau[graph.edges.T] % (graph.n_targets + 1)  # s and s', -1 in tau, come last
     pair = leaving * (graph.n_targets + 1) + entering
-    distance = np.abs(np.bincount(pair[alive], y[alive]) - 0.5)
+    distance = np.abs(np.bincount(pair[alive], y[alive], minlength=1) - 0.5)
     if distance.min() < 0.5 - _TOLERANCE:
         chosen = pair == distance.argmin()
     elif (edge := _edge(graph, y, alive)) is not None:
@@ -35,7 +35,7 @@ def _rivals(graph, chosen):
 
 
 def _edge(graph, y, alive):
-    """Return the edge with the largest fractional flow among those with rivals; if none is fractional, any with flow."""
+    """Return the edge with the most fractional flow among those with rivals; if none is fractional, one with flow."""
     contested = np.zeros(len(alive), dtype=bool)
     for target in graph.tau[graph.edges.T]:
         held = alive & (target >= 0)

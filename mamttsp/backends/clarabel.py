@@ -10,14 +10,12 @@ import numpy as np
 
 from ..instance import InputError
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, relative_gap
-from ..subtours import read_flow
-from ..tours import best_tours
-from .answer import Answer, Progress
+from .answer import Answer, Progress, known_length
 from .branching import branch
 from .conic import conic_program
+from .incumbent import Incumbent
 from .perspective import Perspective
 from .propagation import propagate
-from .rounding import round_flow
 from .separation import violated_sets
 
 #: relative gap below which relaxations and best times are too inexact to tell lengths apart
@@ -27,7 +25,8 @@ LEAST_GAP = 1e-6
 def solve(formulation, options):
     """Solve a MICP of either modeler and return the Answer, its incumbent made of tours that can be flown.
 
-    Cycles that miss the depot are cut off as they turn up (Answer.cuts). InputError: another method than "micp".
+    Cycles that miss the depot are cut off as they turn up (Answer.cuts). The search has nothing random in it, so
+    options.seed does nothing. InputError: another method than "micp".
     """
     if formulation.method != "micp":
         raise InputError(f'method: the branch and bound on clarabel solves "micp", found {formulation.method!r}')
@@ -52,19 +51,18 @@ class _Search:
         self.heap, self.order = [], itertools.count()
         self.current = 0.0  # bound of the node at hand; 0 is a bound of every length
         self.closed = math.inf  # least bound at which something was given up for being no better than the incumbent
-        self.length, self.flow = math.inf, None
+        self.best = Incumbent(self.graph, self.n_agents)
         self.nodes = self.cuts = 0
-        self.tried = set()
 
     @property
     def cutoff(self):
         """What is at least this long is not worth looking for."""
-        return self.length * (1.0 - max(self.options.gap, LEAST_GAP))
+        return self.best.length * (1.0 - max(self.options.gap, LEAST_GAP))
 
     @property
     def bound(self):
         """A lower bound on every set of tours, at any time."""
-        return min(self.length, self.closed, self.current, *(bound for bound, _, _ in self.heap[:1]))
+        return min(self.best.length, self.closed, self.current, *(bound for bound, _, _ in self.heap[:1]))
 
     def run(self):
         """Search until the gap is proved; return False if the time limit came first."""
@@ -86,14 +84,14 @@ class _Search:
             if self._time_left() <= 0:
                 return False
             found = self._process(bound, alive)
-            self._report("search")
+            self._report()
             if found is None:
                 return True
             bound, alive, y = found
             self.current = bound
             children = branch(self.graph, y, alive)
             if children is None:
-                self._try_last(alive)
+                self._finish(alive)
                 return True
             alive, other = children
             self._push(bound, other)
@@ -111,11 +109,16 @@ class _Search:
             if bound >= self.cutoff or not self._cut_subtours(relaxed.y):
                 break
         if not math.isinf(bound):
-            self._try(round_flow(self.graph, relaxed.y, alive, self.n_agents))
+            self.best.near(relaxed.y, alive)
         if bound >= self.cutoff:
             self.closed = min(self.closed, bound)
             return None
         return bound, self._without_dear_edges(bound, alive, relaxed.extra), relaxed.y
+
+    def _finish(self, alive):
+        """Try the one choice of edges that a node has left."""
+        if (possible := propagate(self.graph, alive)) is not None:
+            self.best.on(possible[0])
 
     def _cut_subtours(self, y):
         """Cut off the sets of targets that the flow y enters less than once; tell whether there were any."""
@@ -125,21 +128,6 @@ class _Search:
             self.relaxation.add_cuts([(np.flatnonzero(edges), len(S) - 1) for S, edges in zip(sets, inside)])
             self.cuts += len(sets)
         return bool(sets)
-
-    def _try(self, routes):
-        """Take the routes, with their best times, as the new incumbent if they can be flown and are shorter."""
-        if routes is None or (key := tuple(routes)) in self.tried:
-            return
-        self.tried.add(key)
-        found = best_tours(self.graph, [list(route) for route in routes])
-        if found is not None and found[0] < self.length:
-            self.length, self.flow = found[0], _flow_of(self.graph, routes)
-
-    def _try_last(self, alive):
-        """Try the one choice of edges that a node has left."""
-        paths, cycles = read_flow(self.graph, alive)
-        if not cycles:
-            self._try(paths)
 
     def _without_dear_edges(self, bound, alive, extra):
         """Take away the edges that no solution better than the incumbent can fly."""
@@ -152,36 +140,31 @@ class _Search:
         limit = self.options.time_limit
         return math.inf if limit is None else limit - (time.perf_counter() - self.start)
 
-    def _report(self, phase):
+    def _report(self):
+        if self.options.progress is None and not self.options.verbose:
+            return
+        length, bound = known_length(self.best.length), known_length(self.bound)
+        spent = time.perf_counter() - self.start
+        step = Progress(spent, length, bound, relative_gap(length, bound), self.nodes, "search")
+        if self.options.verbose:
+            print(step)
         if self.options.progress is not None:
-            length = self.length if self.flow is not None else None
-            spent = time.perf_counter() - self.start
-            self.options.progress(Progress(spent, length, self.bound, relative_gap(length, self.bound), self.nodes, phase))
+            self.options.progress(step)
 
     def answer(self, finished):
         """Return the Answer as things stand."""
+        known = self.best.flow is not None
         if finished:
-            status = INFEASIBLE if self.flow is None else OPTIMAL
+            status = OPTIMAL if known else INFEASIBLE
         else:
-            status = UNKNOWN if self.flow is None else FEASIBLE
-        known = self.flow is not None
+            status = FEASIBLE if known else UNKNOWN
         return Answer(
             status=status,
-            objective=self.length if known else None,
-            bound=None if status == INFEASIBLE else self.bound,
-            flow=self.flow,
+            objective=known_length(self.best.length),
+            bound=known_length(self.bound),
+            flow=self.best.flow,
             nodes=self.nodes,
             runtime=time.perf_counter() - self.start,
             solver=f"clarabel {clarabel.__version__}",
             cuts=self.cuts,
         )
-
-
-def _flow_of(graph, routes):
-    """Return the flow (|E|,) of routes through the graph."""
-    number = {edge: e for e, edge in enumerate(map(tuple, graph.edges.tolist()))}
-    flow = np.zeros(len(graph.edges))
-    for route in routes:
-        stops = [graph.s, *route, graph.s_prime]
-        flow[[number[edge] for edge in zip(stops[:-1], stops[1:])]] = 1.0
-    return flow

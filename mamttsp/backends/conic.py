@@ -13,11 +13,11 @@ from .conic_data import conic_data
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class ConicProgram:
-    """min c x with b - A x in a product of cones: first `n_zero` rows zero, then `n_nonneg` rows at least zero, then triples.
+    """min c x with b - A x in a product of cones: `n_zero` rows zero, `n_nonneg` at least zero, the rest in triples.
 
-    Each triple (head, x, y) has head >= ||(x, y)||. columns: dict from a variable's name in the paper to the
-    array of its columns, edges (or nodes) first. Columns of `y` are binary; their upper bound 1 is left out: one unit
-    of flow enters each cluster and is conserved, so it holds in the continuous relaxation too.
+    Each triple (head, x, y) has head >= ||(x, y)||. columns: dict from a variable's name to the array of its columns,
+    edges (or nodes) first. Columns of `y` are binary; their upper bound 1 is left out: one unit of flow enters each
+    cluster and is conserved, so it holds in the continuous relaxation too.
     """
 
     c: np.ndarray
@@ -28,7 +28,7 @@ class ConicProgram:
     columns: dict
 
     def with_cuts(self, cuts):
-        """Return the program with a row y(edges) <= limit more for each (edges, limit), after its rows at least zero."""
+        """Return the program with a row y(edges) <= limit more for each (edges, limit)."""
         rows = np.zeros((len(cuts), len(self.c)))
         for row, (edges, _) in zip(rows, cuts):
             row[self.columns["y"][edges]] = 1.0
@@ -79,17 +79,14 @@ def _from_pyomo(model):
     A, rhs = sparse.csr_array(form.A), np.asarray(form.rhs, dtype=float)
     sign = np.where(kind == -1, -1.0, 1.0)  # a row of kind -1 is A x >= rhs
     A, rhs = sparse.csr_array(sparse.diags_array(sign) @ A), sign * rhs
-    lower, upper = (np.array([np.nan if x is None else x for x in column], dtype=float) for column in _limits(form.columns))
+    lower, upper = np.array([(x.lb, x.ub) for x in form.columns], dtype=float).T  # None becomes NaN
     bounds = _bound_rows(lower, upper, columns["y"])
     cones = _cone_rows(model.norm, number, A.shape[1])
     A = sparse.vstack([A[kind == 0], A[kind != 0], bounds[0], cones], format="csr")
     b = np.concatenate([rhs[kind == 0], rhs[kind != 0], bounds[1], np.zeros(cones.shape[0])])
     c = np.asarray(form.c.todense(), dtype=float).ravel()
-    return ConicProgram(c, sparse.csr_array(A), b, int((kind == 0).sum()), int((kind != 0).sum()) + len(bounds[1]), columns)
-
-
-def _limits(variables):
-    return [variable.lb for variable in variables], [variable.ub for variable in variables]
+    equations = int((kind == 0).sum())
+    return ConicProgram(c, sparse.csr_array(A), b, equations, len(kind) - equations + len(bounds[1]), columns)
 
 
 def _cone_rows(norm, number, width):

@@ -7,7 +7,7 @@ from scipy import sparse
 
 
 def without_positions(program):
-    """Return the program without l_xy, z_p and z'_p: rows (28), (25) and (26), which define them, are put in for them."""
+    """Return the program without l_xy, z_p and z'_p: rows (28), (25) and (26) define them and are put in for them."""
     for name in ("l_xy", "z_p", "z_p_prime"):
         program = _substitute(program, program.columns[name].ravel())
     return program
@@ -44,10 +44,10 @@ class EdgeRows:
             edge[columns[name]] = np.arange(n_edges)
         touched = np.diff(A.indptr)
         entry = np.repeat(np.arange(len(program.b)), touched)  # the row of each entry of A
-        first, last, with_l = np.full(len(program.b), n_edges), np.full(len(program.b), -1), np.zeros(len(program.b), dtype=bool)
+        first, last = np.full(len(program.b), n_edges), np.full(len(program.b), -1)
         np.minimum.at(first, entry, edge[A.indices])
         np.maximum.at(last, entry, edge[A.indices])
-        with_l[entry[np.isin(A.indices, columns["l"])]] = True
+        with_l = np.isin(np.arange(len(program.b)), entry[np.isin(A.indices, columns["l"])])
         own = (first == last) & (first >= 0) & (program.b == 0)
         row = np.arange(len(program.b))
         self.zero = row[: program.n_zero]

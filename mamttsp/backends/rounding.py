@@ -6,7 +6,7 @@ from ..tours import earliest_times
 
 
 def round_flow(graph, y, alive, n_agents):
-    """Return at most `n_agents` routes (tuples of segments) through all targets that can be flown, None if none is found.
+    """Return at most `n_agents` routes (tuples of segments) through all targets that can be flown, None if unlucky.
 
     y: (|E|,) flow; alive: (|E|,) the edges that may be used, those without flow last. An edge of the depot with a flow
     of at least one half makes an end of a route; if that leaves too many routes, no edge does.
@@ -50,7 +50,8 @@ class _Chains:
         if j in self.first or i in self.last or not (self._fits(i) and self._fits(j)):
             return
         before, after = self.chain.get(i, (i,)), self.chain.get(j, (j,))
-        if before[-1] == i and after[0] == j and before != after and earliest_times(self.graph, before + after) is not None:
+        meet = before[-1] == i and after[0] == j and before != after
+        if meet and earliest_times(self.graph, before + after) is not None:
             self._keep(before + after)
 
     def _fits(self, i):

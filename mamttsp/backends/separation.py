@@ -11,7 +11,7 @@ _UNIT = 1e-6
 
 
 def violated_sets(graph, y):
-    """Return the sets of targets S (sorted tuples) with y(delta^-(S)) < 1, a least one for each target that has any.
+    """Return sets of targets S (sorted tuples) with y(delta^-(S)) < 1; each target in any such set is in one.
 
     By the theorem of maximum flow and minimum cut, S is what the residual network of a flow from the depot cannot reach.
     """

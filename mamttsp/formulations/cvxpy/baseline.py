@@ -9,7 +9,7 @@ from .program import Program, clusters, origins, pick
 class Baseline(Program):
     """A flow for each agent, and lengths that big-M switches off; see Program for the attributes all programs have.
 
-    Variables, in the paper's letters: t (|V|, m); y, l, l_bar (|E|, m); l_xy, a list of its two components, (|E|, m) each.
+    Variables, in the paper's letters: t (|V|, m); y, l, l_bar (|E|, m); l_xy, a list of its components, (|E|, m) each.
     """
 
     def _build(self):

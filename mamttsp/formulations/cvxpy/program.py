@@ -25,7 +25,7 @@ class Program(abc.ABC):
         """Create the variables, fill `constraints`, and return the objective."""
 
     def add_subtour_cut(self, targets):
-        """Forbid cycles among `targets`: their tours enter the clusters of these targets from outside of all of them."""
+        """Forbid cycles among `targets`: some tour enters the clusters of these targets from outside."""
         inside = np.isin(self.graph.tau, list(targets))
         tail, head = self.graph.edges.T
         self.add_cut(cp.sum(self.y[~inside[tail] & inside[head]]) >= 1)
