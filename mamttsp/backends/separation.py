@@ -11,9 +11,9 @@ _UNIT = 1e-6
 
 
 def violated_sets(graph, y):
-    """Return sets of targets S (sorted tuples) with y(delta^-(S)) < 1; each target in any such set is in one.
+    """Return sets S of targets (sorted tuples) with y(delta^-(S)) < 1; each target in any such set is in one.
 
-    By the theorem of maximum flow and minimum cut, S is what the residual network of a flow from the depot cannot reach.
+    By maximum flow and minimum cut, S is what the residual network of a flow from the depot cannot reach.
     """
     n = graph.n_targets
     first, second = graph.tau[graph.edges.T]  # s and s' are both -1, the last row and column
