@@ -1,10 +1,10 @@
 """The forest of labels, layer by layer, and the routes that it closes."""
 
 import numpy as np
-from scipy import sparse
 
 from . import labels as lab
 from . import relaxed
+from .settle import members
 
 
 class Forest:
@@ -57,7 +57,7 @@ class Forest:
             hits = np.flatnonzero(bound <= self._limit)
             found.append((np.full(len(hits), s), hits, layer.visited[hits], cost[hits], bound[hits]))
         self.depth, self.label, self.visited, cost, bound = (np.concatenate(part) for part in zip(*found))
-        self.members = _members(self.visited, self.n)
+        self.members = members(self.visited, self.n)
         self.cost = cost + self.members.T @ self._pi
         self.bound = bound + self._constant
 
@@ -94,7 +94,3 @@ class Forest:
                     before[k] |= after[s]
         return after, before & self._relaxation.before
 
-
-def _members(visited, n):
-    bits = (visited[None, :] >> np.arange(n, dtype=np.uint64)[:, None]) & np.uint64(1)
-    return sparse.csc_matrix(bits.astype(float))

@@ -11,8 +11,10 @@ from numba import njit
 def neighbourhoods(pieces, n_targets, size):
     """Return N (n, size): for each target the `size` others that are cheapest to fly to or from, -1 where there are fewer."""
     size = min(size, n_targets - 1)
+    present, starts = np.unique(pieces.target, return_index=True)  # pieces are ordered by target
+    least = np.minimum.reduceat(np.minimum.reduceat(pieces.legs[:, :, 0], starts, axis=0), starts, axis=1)
     nearest = np.full((n_targets, n_targets), np.inf)
-    np.minimum.at(nearest, (pieces.target[:, None], pieces.target[None, :]), pieces.legs[:, :, 0])
+    nearest[np.ix_(present, present)] = least
     nearest = np.minimum(nearest, nearest.T)
     N = np.argsort(nearest, axis=1, kind="stable")[:, :size]
     N[~np.isfinite(np.take_along_axis(nearest, N, axis=1))] = -1

@@ -87,12 +87,14 @@ def ascend(relaxation, pi, known, iterations, out_of_time):
     """
     visits, cost = known
     best_bound, best_pi = -np.inf, pi
-    for _ in range(iterations):
+    for iteration in range(iterations):
         bound = relaxation.evaluate(pi)
         if np.isinf(bound):
             return bound, pi
         if bound > best_bound:
             best_bound, best_pi = bound, pi
+        if iteration == iterations - 1:
+            break
         more_visits, more_cost = relaxation.columns(pi)
         visits, cost = np.vstack([visits, more_visits]), np.r_[cost, more_cost]
         value, dual, reduced = _master(visits, cost, relaxation.m)

@@ -19,7 +19,8 @@ class Relaxed(NamedTuple):
 
 
 def relax_choice(members, cost, n_agents, limit):
-    """Return the Relaxed choice of columns; members: (n, J) sparse 0/1 matrix, targets by columns; cost: (J,).
+    """Return the Relaxed choice of columns; members: (n, J) sparse 0/1 matrix, targets by columns; cost: (J,). With one
+    agent all columns have to be whole tours.
 
     Whatever the prices with a fleet price <= 0, a choice with column j costs at least
     sum(dual) + m * fleet + reduced cost of j + (m - 1) * (the least reduced cost, if negative).
@@ -28,6 +29,9 @@ def relax_choice(members, cost, n_agents, limit):
     none = np.zeros(0, dtype=int)
     if J == 0:
         return Relaxed(np.inf, none, np.zeros(n), np.zeros(0))
+    if n_agents == 1:  # every column serves all targets
+        cheapest = np.argmin(cost)
+        return Relaxed(cost[cheapest], np.array([cheapest]), np.zeros(n), limit - cost)
     fleet_row = sparse.csr_matrix(np.ones((1, J)))
     answer = optimize.linprog(
         cost, A_ub=fleet_row, b_ub=[n_agents], A_eq=members, b_eq=np.ones(n), bounds=(0, None), method="highs"
@@ -48,6 +52,8 @@ def choose(members, cost, n_agents, time_limit=None):
     n, J = members.shape
     if J == 0:
         return np.inf, None
+    if n_agents == 1:
+        return np.min(cost), np.array([np.argmin(cost)])
     rows = sparse.vstack([members, sparse.csr_matrix(np.ones((1, J)))], format="csc")
     rule = optimize.LinearConstraint(rows, np.r_[np.ones(n), 0.0], np.r_[np.ones(n), n_agents])
     options = {"mip_rel_gap": 1e-9}

@@ -12,24 +12,26 @@ import numpy as np
 from numba import njit
 
 
-@njit(cache=True)
-def before_leg(c, slope_q, slope_r, left, right, width_q, width_r, gap, speed):
-    """Return (left, right) at q of: leg from q to r, then a value (left, right) at r. gap: a_r - a_q in s."""
-    if width_r <= 0.0:
+@njit(cache=True, inline="always")
+def before_leg(c, slope_q, slope_r, left, right, width_q, width_r, gap, speed, per_width, per_speed):
+    """Return (left, right) at q of: leg from q to r, then a value (left, right) at r. gap: a_r - a_q in s.
+
+    per_width: 1 / width_r, 0 for a width of 0; per_speed: 1 / (speed - slope_r).
+    """
+    if per_width == 0.0:
         value = c + min(left, right)
         return value, value + slope_q * width_q
-    price = (right - left) / width_r
-    rise = slope_r + price
+    rise = slope_r + (right - left) * per_width
     if rise <= 0.0:  # best at the end of r, where time is no obstacle
         value = c + left + rise * width_r
         return value, value + slope_q * width_q
-    free = c + left
-    eta = rise / (speed - slope_r)
-    held = left + (1.0 + eta) * c - eta * speed * gap
-    rise_held = ((1.0 + eta) * slope_q + eta * speed) * width_q
-    if 2.0 * held + rise_held > 2.0 * free + slope_q * width_q:
+    eta = rise * per_speed
+    free, rise_free = c + left, slope_q * width_q
+    held = free + eta * (c - speed * gap)
+    rise_held = rise_free + eta * (slope_q + speed) * width_q
+    if 2.0 * held + rise_held > 2.0 * free + rise_free:
         return held, held + rise_held
-    return free, free + slope_q * width_q
+    return free, free + rise_free
 
 
 @njit(cache=True)
@@ -92,14 +94,17 @@ def _extend_backward(pieces, pi, move, value, best, count, index, cheapest, k, q
     width_q, width_r = pieces.b[q] - pieces.a[q], pieces.b[r] - pieces.a[r]
     gap = pieces.a[r] - pieces.a[q]
     c, slope_q, slope_r = pieces.legs[q, r, 0], pieces.legs[q, r, 1], pieces.legs[q, r, 2]
+    per_width = 1.0 / width_r if width_r > 0.0 else 0.0
+    per_speed = 1.0 / (pieces.speed - slope_r)
     for z in range(count[k - 1, r]):
         mask = index[k - 1, r, z]
         memory = move[w, u, mask]
         if memory < 0:
             continue
         left, right = before_leg(
-            c, slope_q, slope_r, value[k - 1, r, mask, 0], value[k - 1, r, mask, 1], width_q, width_r, gap, pieces.speed
-        )
+            c, slope_q, slope_r, value[k - 1, r, mask, 0], value[k - 1, r, mask, 1], width_q, width_r, gap, pieces.speed,
+            per_width, per_speed,
+        )  # fmt: skip
         left -= pi[w]
         right -= pi[w]
         value[k, q, memory, 0] = min(value[k, q, memory, 0], left)

@@ -26,10 +26,10 @@ from .pieces import even_cuts, make_pieces
 from .settle import Sets, settle
 
 _PIECES = 150
-_MEMORY = 7
+_MEMORY, _SMALL_MEMORY = 7, 4
 _BEAM = 1000
-_FEW_LABELS, _MOST_LABELS = 300_000, 25_000_000
-_FEW_SETS = 4000
+_FEW_LABELS, _MOST_LABELS = 500_000, 8_000_000
+_FEW_SETS = 3000
 #: every bound is lowered by this share, far above the rounding errors of the sums it comes from
 _SAFETY = 1e-9
 #: label extensions per second, an underestimate, to stop in time
@@ -65,7 +65,7 @@ class Search:
         self.incumbent = Incumbent(graph, self.m)
         self.bound, self.labels = 0.0, 0
         self.pi, self.most, self.beam = np.zeros(self.n), _FEW_LABELS, _BEAM
-        self.enumerated = False
+        self.enumerated, self.memory = False, _MEMORY
         windows = sum(self.graph.t_hi[i] - self.graph.t_lo[i] for i in self._segments())
         self.width = max(windows / _PIECES, 1e-6 * graph.horizon)
         self.start_from(*even_cuts(graph, self._segments(), self.width))
@@ -111,18 +111,18 @@ class Search:
         """Run rounds until the gap is closed, infeasibility is proved (bound infinite) or time is up."""
         while not self.over():
             self.round(iterations)
-            iterations = 3 if self.enumerated else 15
+            iterations = min(iterations, 10)
 
-    def find_first(self, iterations=1500):
+    def find_first(self):
         """Look for tours by ruin and recreate."""
-        routes = first_tours(self.graph, self.m, iterations, self.seed)
+        routes = first_tours(self.graph, self.m, 200 * self.n, self.seed)
         if routes:
             self.incumbent.offer([tuple(route) for route in routes])
         self.report("heuristic")
 
     def round(self, iterations):
         pieces = make_pieces(self.graph, *self.cut, self.targets)
-        N = memory.neighbourhoods(pieces, self.n, _MEMORY)
+        N = memory.neighbourhoods(pieces, self.n, self.memory)
         relaxation = Relaxation(pieces, self.n, self.m, N, memory.transitions(N), self.after, self.before)
         bound, self.pi = ascend(relaxation, self.pi, self.incumbent.columns(self.targets), iterations, self.clock.out)
         self.raise_bound(bound)
@@ -156,17 +156,17 @@ class Search:
             self.most = min(4 * self.most, _MOST_LABELS)
             self.report("labels")
             return
-        relaxed = relax_choice(forest.members, forest.cost, self.m, self.limit)
+        sets = Sets(forest.visited, forest.cost, self.n)
+        relaxed = relax_choice(sets.members, sets.cost, self.m, self.limit)
         self.raise_bound(min(relaxed.bound, self.limit))
-        alive = relaxed.slack >= 0.0
+        alive = relaxed.slack[sets.of_column] >= forest.cost - sets.cost[sets.of_column]
         if alive.any():
             self.incumbent.improve(forest, np.flatnonzero(alive))
             self.pi = relaxed.dual if self.m > 1 else self.pi
         self.after, self.before = forest.used_pieces(alive)
-        self.report(f"routes {len(forest.cost)} {alive.sum()} {[len(x.left) for x in forest.layers]} Q{len(relaxation.pieces.a)} {self.after.any(axis=0).sum()}")
-        if self.m > 1 and alive.any() and not self.over():
-            sets = Sets(forest.members[:, alive], forest.cost[alive])
-            self.report(f"sets {len(sets.cost)}")
+        self.report(f"routes {len(forest.cost)} {len(sets.cost)} {[len(x.left) for x in forest.layers]} Q{len(relaxation.pieces.a)} {self.after.any(axis=0).sum()}")
+        if self.m > 1 and not self.over():
+            sets.keep(relaxed.slack >= 0.0)
             if len(sets.cost) <= _FEW_SETS:
                 self.settle(sets)
 
@@ -195,7 +195,8 @@ class Search:
         search = Search(self.graph, mine, 1, 0.1 * self.gap, self.clock, cutoff=cutoff)
         search.start_from(segment[part], a[part], b[part])
         search.width = self.width
-        search.run(4)
+        search.memory = _SMALL_MEMORY
+        search.run(1)
         if search.incumbent.routes:
             self.pool[targets]=search.incumbent.routes[0]
         return search.bound

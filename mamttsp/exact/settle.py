@@ -13,24 +13,30 @@ from .partition import choose, relax_choice
 
 
 class Sets:
-    """The competing sets of targets. targets: list of tuples; members: (n, J) sparse 0/1; cost: (J,) lower bounds;
-    settled: (J,) bool."""
+    """The competing sets of targets. visited: (J,) uint64; members: (n, J) sparse 0/1; cost: (J,) lower bounds; settled:
+    (J,) bool; of_column: the set of each of the columns that they were made from."""
 
-    def __init__(self, members, cost):
-        keys = [tuple(members.indices[members.indptr[j] : members.indptr[j + 1]]) for j in range(members.shape[1])]
-        cheapest = {}
-        for key, value in zip(keys, cost):
-            cheapest[key] = min(value, cheapest.get(key, np.inf))
-        self.targets = list(cheapest)
-        self.cost = np.array(list(cheapest.values()))
+    def __init__(self, visited, cost, n_targets):
+        self.visited, self.of_column = np.unique(visited, return_inverse=True)
+        self.cost = np.full(len(self.visited), np.inf)
+        np.minimum.at(self.cost, self.of_column, cost)
         self.settled = np.zeros(len(self.cost), dtype=bool)
-        rows = np.concatenate([np.array(key) for key in self.targets])
-        columns = np.repeat(np.arange(len(self.targets)), [len(key) for key in self.targets])
-        self.members = sparse.csc_matrix((np.ones(len(rows)), (rows, columns)), shape=(members.shape[0], len(self.cost)))
+        self.members = members(self.visited, n_targets)
+
+    def targets(self, j):
+        """Return the targets of a set."""
+        return tuple(int(u) for u in self.members.indices[self.members.indptr[j] : self.members.indptr[j + 1]])
 
     def keep(self, which):
-        self.targets = [key for key, kept in zip(self.targets, which) if kept]
-        self.cost, self.settled, self.members = self.cost[which], self.settled[which], self.members[:, which]
+        """Drop all other sets."""
+        self.visited, self.cost, self.settled = self.visited[which], self.cost[which], self.settled[which]
+        self.members, self.of_column = self.members[:, which], None
+
+
+def members(visited, n_targets):
+    """Return the (n, J) sparse 0/1 matrix of targets by sets."""
+    bits = (visited[None, :] >> np.arange(n_targets, dtype=np.uint64)[:, None]) & np.uint64(1)
+    return sparse.csc_matrix(bits.astype(float))
 
 
 def settle(sets, n_agents, limit, solve_set, on_bound, out_of_time):
@@ -55,5 +61,5 @@ def settle(sets, n_agents, limit, solve_set, on_bound, out_of_time):
         for j in competing:
             if not sets.settled[j] and not out_of_time():
                 # Beyond its slack the set cannot be part of a solution within the limit.
-                sets.cost[j] = max(sets.cost[j], solve_set(sets.targets[j], sets.cost[j] + max(slack[j], 0.0)))
+                sets.cost[j] = max(sets.cost[j], solve_set(sets.targets(j), sets.cost[j] + max(slack[j], 0.0)))
                 sets.settled[j] = True
