@@ -14,7 +14,7 @@ def versions():
     rows = [("Python", platform.python_version())]
     rows += [(name, _version(name)) for name in _PACKAGES + _SOLVERS]
     rows += [("SCIP", _scip()), ("system", platform.platform())]
-    rows += [("processor", _processor()), ("cores", str(os.cpu_count()))]
+    rows += [("processor", processor()), ("cores", str(os.cpu_count()))]
     return "\n".join(f"{name:<11} {value}" for name, value in rows)
 
 
@@ -34,8 +34,8 @@ def _scip():
     return f"{model.getMajorVersion()}.{model.getMinorVersion()}.{model.getTechVersion()}"
 
 
-def _processor():
-    """Linux keeps the name in /proc/cpuinfo; elsewhere the platform module knows it."""
+def processor():
+    """Return the processor's name: Linux keeps it in /proc/cpuinfo; elsewhere the platform module knows it."""
     cpuinfo = Path("/proc/cpuinfo")
     lines = cpuinfo.read_text().splitlines() if cpuinfo.exists() else []
     names = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
