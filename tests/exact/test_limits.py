@@ -1,0 +1,100 @@
+"""Stopped by a time limit or Ctrl-C, the exact solver returns checked tours and a bound that holds."""
+
+import _thread
+import signal
+import threading
+
+import pytest
+from exact.certificates import assert_brackets, assert_sound
+from exact.enumeration import optimum
+
+from mamttsp import generate, paper_instance, solve
+
+LIMITS = (0.1, 0.5, 2.0)
+SPREAD = [(10, 60, 3), (15, 20, 1), (15, 40, 2), (15, 60, 1), (20, 20, 5), (20, 40, 1), (20, 40, 3), (20, 60, 2)]
+SETTINGS = [(n, w, m, index) for n in (10, 15, 20) for w in (20, 40, 60) for m in (1, 2, 3, 5) for index in (1, 2)]
+
+
+def _assert_runs_agree(problem, limits):
+    """Every run's bound is at most the shortest tours of all runs: nothing else is needed for all bounds to hold here."""
+    runs = [solve(problem, time_limit=limit) for limit in limits]
+    for run in runs:
+        assert_sound(problem, run)
+    assert max(run.bound for run in runs) <= min((run.objective for run in runs if run.tours), default=float("inf"))
+    return runs
+
+
+@pytest.mark.parametrize("n, window, m", SPREAD)
+def test_the_bound_holds_at_every_time_limit(n, window, m):
+    _assert_runs_agree(paper_instance(n, 0, window, m), LIMITS)
+
+
+@pytest.mark.parametrize("limit", LIMITS)
+@pytest.mark.parametrize("window, m", [(20, 1), (60, 2)])
+def test_the_known_optimum_lies_between_bound_and_objective_at_every_time_limit(window, m, limit):
+    problem = generate(10, window, m, seed=31)
+    assert_brackets(problem, solve(problem, time_limit=limit), optimum(problem))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("n, window, m, index", SETTINGS)
+def test_the_bound_holds_at_every_time_limit_and_in_a_long_run(n, window, m, index):
+    *_, long = _assert_runs_agree(paper_instance(n, index, window, m), (*LIMITS, 300.0))
+    assert long.status == "optimal"
+
+
+def test_a_limit_that_leaves_a_gap_is_not_called_optimal():
+    problem = paper_instance(20, 0, 60, 2)
+    solution = solve(problem, time_limit=0.5, gap=1e-6)
+    assert solution.status in ("feasible", "unknown") and (solution.gap is None or solution.gap > 1e-6)
+
+
+class _Interrupt:
+    """A progress callback that is interrupted at its k-th call, like a user who watches it."""
+
+    def __init__(self, k):
+        self.calls, self.k = 0, k
+
+    def __call__(self, progress):
+        self.calls += 1
+        if self.calls == self.k:
+            raise KeyboardInterrupt
+
+
+@pytest.mark.parametrize("n, window, m, seed", [(8, 40, 1, 1), (8, 60, 2, 1)])
+def test_interrupted_at_any_report_it_returns_what_stands(n, window, m, seed):
+    problem = generate(n, window, m, seed)
+    expected = optimum(problem)
+    for k in range(1, 1000):
+        interrupt = _Interrupt(k)
+        solution = solve(problem, progress=interrupt)
+        assert_brackets(problem, solution, expected)
+        if interrupt.calls < k:  # it ran to its end
+            break
+    assert k > 2 and solution.status == "optimal"
+
+
+@pytest.fixture
+def ctrl_c():
+    """Return a function that has Ctrl-C pressed after some seconds, whatever the main thread is doing then."""
+    timers, handler = [], signal.signal(signal.SIGINT, signal.default_int_handler)
+
+    def press(seconds):
+        timers.append(threading.Timer(seconds, _thread.interrupt_main))
+        timers[-1].start()
+
+    yield press
+    for timer in timers:
+        timer.cancel()
+        timer.join()
+    signal.signal(signal.SIGINT, handler)
+
+
+@pytest.mark.parametrize("seconds", [0.05, 0.4, 1.3])
+def test_interrupted_at_any_moment_it_returns_what_stands(ctrl_c, seconds):
+    solve(generate(5, 20, 2, seed=0))  # so that the code is compiled and what is interrupted is the search
+    problem = paper_instance(20, 1, 60, 2)
+    ctrl_c(seconds)
+    solution = solve(problem, gap=1e-6)
+    assert_sound(problem, solution)
+    assert solution.status != "optimal"
