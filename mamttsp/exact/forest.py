@@ -54,7 +54,7 @@ class Forest:
         found = []
         for s, layer in enumerate(self.layers, start=1):
             bound, cost = lab.closings(layer, s, self.pieces, self._home, self._relaxation.rest[self.n - s])
-            hits = np.flatnonzero(bound <= self._limit)
+            hits = np.flatnonzero((bound <= self._limit) & (bound < np.inf))
             found.append((np.full(len(hits), s), hits, layer.visited[hits], cost[hits], bound[hits]))
         self.depth, self.label, self.visited, cost, bound = (np.concatenate(part) for part in zip(*found))
         self.members = members(self.visited, self.n)
@@ -73,24 +73,56 @@ class Forest:
         """Return the segments of a column's route, a tuple of nodes of the graph in the order of its visits."""
         return tuple(int(i) for i in self.pieces.segment[self.route(column)])
 
-    def used_pieces(self, alive):
-        """Return (after, before): the (s, q) and (k, q) on routes of the columns marked `alive` (J,), or dominated by them."""
-        n = self.n
-        after = np.zeros_like(self._relaxation.after)
-        before = np.zeros_like(self._relaxation.before)
-        through = None
-        for s in range(n, 0, -1):
-            layer = self.layers[s - 1]
-            leads = np.zeros(len(layer.left), dtype=bool)
-            leads[self.label[alive & (self.depth == s)]] = True
-            if s < n:
+    def leading(self, alive):
+        """Return, layer by layer, which labels lead to a column marked `alive` (J,), themselves or through what dominates them."""
+        leads = [None] * self.n
+        for s in range(self.n, 0, -1):
+            here = np.zeros(len(self.layers[s - 1].left), dtype=bool)
+            here[self.label[alive & (self.depth == s)]] = True
+            if s < self.n:
                 links = self.links[s - 1]
-                leads[links[through[links[:, 1]], 0]] = True
-            through = leads
-            after[s, layer.piece[leads]] = True
-        for s in range(1, n + 1):  # with several agents the routes through (s, q) may have any number of visits to come
-            for k in range(n - s + 1):
-                if np.isfinite(self._relaxation.rest[n - s - k]):
+                here[links[leads[s][links[:, 1]], 0]] = True
+            leads[s - 1] = here
+        return leads
+
+    def used_pieces(self, leads):
+        """Return (after, before): the (s, q) and (k, q) of the labels in `leads`."""
+        after, before = np.zeros_like(self._relaxation.after), np.zeros_like(self._relaxation.before)
+        for s, (layer, lead) in enumerate(zip(self.layers, leads), start=1):
+            after[s, layer.piece[lead]] = True
+        for s in range(1, self.n + 1):  # with several agents the routes through (s, q) may have any number of visits to come
+            for k in range(self.n - s + 1):
+                if np.isfinite(self._relaxation.rest[self.n - s - k]):
                     before[k] |= after[s]
         return after, before & self._relaxation.before
 
+    def sequences(self, leads, most):
+        """Return all sequences of n segments along the labels in `leads`, or None if there are more than `most`.
+
+        Links lead dominated labels on to what dominates them, so the sequences of dominated labels are among these.
+        """
+        segment = [self.pieces.segment[layer.piece] for layer in self.layers]
+        states = _by_segment({(): np.flatnonzero(leads[0])}, segment[0])
+        for s in range(1, self.n):
+            links = self.links[s - 1]
+            links = links[leads[s - 1][links[:, 0]] & leads[s][links[:, 1]]]
+            links = links[np.argsort(links[:, 0], kind="stable")]
+            states = _by_segment({key: _heads(links, tails) for key, tails in states.items()}, segment[s])
+            if len(states) > most:
+                return None
+        return list(states)
+
+
+def _heads(links, tails):
+    """Return the labels that the labels `tails` are linked to; links are sorted by their tails."""
+    start, end = np.searchsorted(links[:, 0], tails), np.searchsorted(links[:, 0], tails, side="right")
+    return np.unique(np.concatenate([links[a:b, 1] for a, b in zip(start, end)]))
+
+
+def _by_segment(states, segment):
+    """Split the labels of each state by their segment, and add that to the state's sequence."""
+    return {
+        (*key, int(i)): labels[segment[labels] == i]
+        for key, labels in states.items()
+        for i in np.unique(segment[labels])
+    }

@@ -57,10 +57,10 @@ class Incumbent:
                 known = list(routes)
                 self.offer([known[j] for j in chosen])
 
-    def columns(self, targets):
-        """Return (visits (J, n), cost (J,)) of the incumbent's routes; without one, of a route too dear to be used."""
+    def columns(self, targets, cutoff):
+        """Return (visits (J, n), cost (J,)) of the incumbent's routes; without one, of a tour at the cutoff."""
         if not self.routes:
-            return np.ones((1, len(targets))), np.array([100.0 * self.graph.size])
+            return np.ones((1, len(targets))), np.array([min(cutoff, 10.0 * self.graph.size)])
         visited = [set(self.graph.tau[list(route)]) for route in self.routes]
         visits = np.array([[float(u in route) for u in targets] for route in visited])
         return visits, np.array([self.timed(route)[0] for route in self.routes])

@@ -26,12 +26,19 @@ from .pieces import even_cuts, make_pieces
 from .settle import Sets, settle
 
 _PIECES = 150
-_MEMORY, _SMALL_MEMORY = 7, 4
+_MEMORY = 7
+#: routes of so few targets need little memory and no multipliers of their own
+_SMALL, _SMALL_MEMORY = 10, 4
 _BEAM = 1000
 _FEW_LABELS, _MOST_LABELS = 500_000, 8_000_000
 _FEW_SETS = 3000
+_FEW_SEQUENCES = 400
+#: pieces that a round may have: the table of their legs grows with the square
+_MOST_PIECES = 2000
 #: every bound is lowered by this share, far above the rounding errors of the sums it comes from
 _SAFETY = 1e-9
+#: lengths below this share of the area's size count as nothing, for optima of 0
+_NEGLIGIBLE = 1e-9
 #: label extensions per second, an underestimate, to stop in time
 _RATE = 2e7
 
@@ -64,6 +71,7 @@ class Search:
         self.gap, self.clock, self.progress, self.seed, self.cutoff = gap, clock, progress, seed, cutoff
         self.incumbent = Incumbent(graph, self.m)
         self.bound, self.labels = 0.0, 0
+        self.negligible = _NEGLIGIBLE * graph.size
         self.pi, self.most, self.beam = np.zeros(self.n), _FEW_LABELS, _BEAM
         self.enumerated, self.memory = False, _MEMORY
         windows = sum(self.graph.t_hi[i] - self.graph.t_lo[i] for i in self._segments())
@@ -88,10 +96,10 @@ class Search:
     @property
     def limit(self):
         """Solutions at or above this value need not be looked at: the gap may stay that wide."""
-        return self.upper * (1.0 - 0.5 * self.gap)
+        return self.upper * (1.0 - 0.5 * self.gap) - 0.5 * self.negligible
 
     def closed(self):
-        return self.bound >= self.upper * (1.0 - self.gap)
+        return self.bound >= self.upper * (1.0 - self.gap) - self.negligible
 
     def raise_bound(self, bound):
         self.bound = min(max(self.bound, bound * (1.0 - _SAFETY)), self.upper)
@@ -124,7 +132,7 @@ class Search:
         pieces = make_pieces(self.graph, *self.cut, self.targets)
         N = memory.neighbourhoods(pieces, self.n, self.memory)
         relaxation = Relaxation(pieces, self.n, self.m, N, memory.transitions(N), self.after, self.before)
-        bound, self.pi = ascend(relaxation, self.pi, self.incumbent.columns(self.targets), iterations, self.clock.out)
+        bound, self.pi = ascend(relaxation, self.pi, self.incumbent.columns(self.targets, self.cutoff), iterations, self.clock.out)
         self.raise_bound(bound)
         self.report("multipliers")
         if self.over():
@@ -163,12 +171,26 @@ class Search:
         if alive.any():
             self.incumbent.improve(forest, np.flatnonzero(alive))
             self.pi = relaxed.dual if self.m > 1 else self.pi
-        self.after, self.before = forest.used_pieces(alive)
+        leads = forest.leading(alive)
+        self.after, self.before = forest.used_pieces(leads)
         self.report(f"routes {len(forest.cost)} {len(sets.cost)} {[len(x.left) for x in forest.layers]} Q{len(relaxation.pieces.a)} {self.after.any(axis=0).sum()}")
-        if self.m > 1 and not self.over():
+        if self.m == 1 and not self.over():
+            self.finish(forest, leads)
+        elif not self.over():
             sets.keep(relaxed.slack >= 0.0)
             if len(sets.cost) <= _FEW_SETS:
                 self.settle(sets)
+
+    def finish(self, forest, leads):
+        """With one agent: if few sequences of segments are left, time them all; nothing else is below the limit."""
+        sequences = forest.sequences(leads, _FEW_SEQUENCES)
+        if sequences is None:
+            return
+        limit = self.limit
+        for route in sequences:
+            self.incumbent.offer([route])
+        self.raise_bound(min(limit, self.upper))
+        self.report("sequences")
 
     def settle(self, sets):
         """Settle the competing sets of targets, each with one agent as a small instance of its own."""
@@ -186,7 +208,7 @@ class Search:
                 self.incumbent.offer([routes[j] for j in chosen])
         self.report(f"settle {self.solved}")
 
-    def solve_set(self, targets, cutoff):
+    def solve_set(self, targets, cutoff, dual):
         self.solved+=1
         used = self.after.any(axis=0)
         segment, a, b = (part[used] for part in self.cut)
@@ -195,8 +217,10 @@ class Search:
         search = Search(self.graph, mine, 1, 0.1 * self.gap, self.clock, cutoff=cutoff)
         search.start_from(segment[part], a[part], b[part])
         search.width = self.width
-        search.memory = _SMALL_MEMORY
-        search.run(1)
+        search.pi = dual[list(targets)]
+        if len(mine) <= _SMALL:
+            search.memory = _SMALL_MEMORY
+        search.run(1 if len(mine) <= _SMALL else 10)
         if search.incumbent.routes:
             self.pool[targets]=search.incumbent.routes[0]
         return search.bound
@@ -205,9 +229,11 @@ class Search:
         """Cut the pieces still in use into shorter parts, with the incumbent's visit times in the middle of theirs."""
         self.width /= 3.0 if self.enumerated else 2.0
         segment, a, b = self.cut
+        used = self.after.any(axis=0)
+        self.width = max(self.width, (b - a)[used].sum() / (_MOST_PIECES - used.sum()))
         centre = self.incumbent.visit_times()
         rows, origin = [], []
-        for q in np.flatnonzero(self.after.any(axis=0)):
+        for q in np.flatnonzero(used):
             for start, end in split(a[q], b[q], self.width, centre.get(int(segment[q]))):
                 rows.append((segment[q], start, end))
                 origin.append(q)

@@ -42,8 +42,9 @@ def members(visited, n_targets):
 def settle(sets, n_agents, limit, solve_set, on_bound, out_of_time):
     """Settle sets until nothing below the limit is left, the choice is all settled, or time is up.
 
-    limit(): value from which solutions need not be looked at, it may fall on the way; solve_set(targets, cutoff): lower
-    bound on the set's cheapest route, which is its cost if that is below the cutoff; on_bound(bound): told each bound.
+    limit(): value from which solutions need not be looked at, it may fall on the way; solve_set(targets, cutoff, dual):
+    lower bound on the set's cheapest route, its cost if that is below the cutoff, dual: (n,) prices of all targets to
+    start from; on_bound(bound): told each bound.
     """
     while not out_of_time():
         relaxed = relax_choice(sets.members, sets.cost, n_agents, limit())
@@ -61,5 +62,5 @@ def settle(sets, n_agents, limit, solve_set, on_bound, out_of_time):
         for j in competing:
             if not sets.settled[j] and not out_of_time():
                 # Beyond its slack the set cannot be part of a solution within the limit.
-                sets.cost[j] = max(sets.cost[j], solve_set(sets.targets(j), sets.cost[j] + max(slack[j], 0.0)))
+                sets.cost[j] = max(sets.cost[j], solve_set(sets.targets(j), sets.cost[j] + max(slack[j], 0.0), relaxed.dual))
                 sets.settled[j] = True
