@@ -153,10 +153,22 @@ def test_more_agents_than_targets():
     assert_certified(problem, 40.0)
 
 
+def along_a_ray(n_targets):
+    """Return an instance of targets that may be visited at any time, on the way to the last one at (10, 0) and back."""
+    return instance(*(still(10.0 * k / n_targets, 0) for k in range(1, n_targets + 1)))
+
+
+def test_many_targets_close_together_without_windows():
+    """More visits follow each other within seconds than any even grid of times has room for."""
+    problem = along_a_ray(30)
+    solution = solve(problem, time_limit=3.0)
+    assert_brackets(problem, solution, 20.0)
+    assert solution.tours
+
+
 def test_more_targets_than_bits_of_a_word():
-    """Along a ray, out and back: 2 x 14 units, whatever the order."""
-    problem = instance(*(still(0.2 * k, 0) for k in range(1, 71)))
-    assert_brackets(problem, solve(problem, time_limit=1.0), 28.0)
+    problem = along_a_ray(66)
+    assert_brackets(problem, solve(problem, time_limit=1.0), 20.0)
 
 
 # --- Just in time ----------------------------------------------------------------------------------------------------

@@ -98,3 +98,11 @@ def test_interrupted_at_any_moment_it_returns_what_stands(ctrl_c, seconds):
     solution = solve(problem, gap=1e-6)
     assert_sound(problem, solution)
     assert solution.status != "optimal"
+
+
+def test_no_bound_rests_on_times_that_were_not_optimised(monkeypatch):
+    """Where the SOCP gives no answer, tours keep their earliest times: they can be flown, but prove nothing."""
+    problem = generate(6, 60, 2, seed=1)
+    expected = optimum(problem)
+    monkeypatch.setattr("mamttsp.tours._solve_times", lambda graph, route: None)
+    assert_brackets(problem, solve(problem, time_limit=1.0), expected)
