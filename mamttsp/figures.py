@@ -114,3 +114,19 @@ def _placed(visits, size):
 def _once(k, label):
     """Return the legend's label for the first of its kind only."""
     return {"label": label} if k == 0 else {}
+
+
+def charge_view(distance, size, ax=None):
+    """Draw what a fraction of an edge costs in either convex program, against its flow y, and return the axes.
+
+    distance: of the edge's ends, in units; size: R, the big-M. The baseline's (8)-(10) ask for l >= distance - R (1 - y),
+    the perspectives (25), (26), (28), (29) for l >= y distance, ends held where they are.
+    """
+    ax = ax or plt.figure(figsize=(6, 4), layout="constrained").add_subplot()
+    free = max(0.0, 1.0 - distance / size)
+    ax.plot([0.0, 1.0], [0.0, distance], color=COLOURS[0], label="perspective: y d")
+    ax.plot([0.0, free, 1.0], [0.0, 0.0, distance], color=COLOURS[1], linestyle="--", label="big-M: max(0, d - R (1 - y))")
+    ax.plot([0.0, 1.0], [0.0, distance], "o", color="black", label="what a whole y costs")
+    ax.set(xlabel="flow y on the edge", ylabel="least length l (units)")
+    ax.legend(loc="upper left", frameon=False)
+    return ax

@@ -6,7 +6,7 @@ import pytest
 from examples import instance, moving, still
 
 from mamttsp import Tour, Visit
-from mamttsp.figures import COLOURS, LINES, MARKERS, plan_view, save, space_time_view
+from mamttsp.figures import COLOURS, LINES, MARKERS, charge_view, plan_view, save, space_time_view
 
 INSTANCE = instance(moving((10, 0), (0, 0.2), [(5, 15), (30, 50)]), still(0, 20, [(0, 60)]), n_agents=3)
 TOURS = [Tour((Visit(0, 10.0, (10.0, 2.0)), Visit(1, 20.0, (0.0, 20.0))), 30.0)]
@@ -91,3 +91,9 @@ def test_a_saved_drawing_is_the_same_each_time(view, tmp_path):
     for kind, start in (("pdf", b"%PDF"), ("png", b"\x89PNG")):
         first, second = ((tmp_path / f"{name}.{kind}").read_bytes() for name in ("one", "two"))
         assert first == second and first.startswith(start) and len(first) > 5000
+
+
+def test_the_charge_of_an_edge_is_free_until_big_m_lets_go():
+    perspective, big_m, _ = charge_view(distance=40.0, size=100.0).lines
+    assert np.column_stack(perspective.get_data()).tolist() == [[0, 0], [1, 40]]
+    assert np.column_stack(big_m.get_data()).tolist() == [[0, 0], [0.6, 0], [1, 40]]
