@@ -9,35 +9,44 @@ tours because each step underestimates the flown distance; every incumbent is a 
 import math
 
 from ..graph import build_graph
+from ..instance import InputError
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, Solution
-from ..tours import check
-from .search import Clock, Search
+from .heuristic import Annealing
+from .search import Search
+from .watch import Watch
 
 #: gaps below this are beyond the tolerance of the SOCP that times the tours
 _LEAST_GAP = 1e-7
 
 
+#: sets of targets are words of 64 bits
+_MOST_TARGETS = 64
+
+
 def solve_exact(instance, options):
-    """Return a checked Solution of the instance, or what stands when a limit or KeyboardInterrupt ends the run.
+    """Return a Solution of the instance, or what stands when a limit or Ctrl-C ends the run.
 
-    options: `backends.answer.Options`; threads and verbose have no effect.
+    options: `backends.answer.Options`; threads and verbose have no effect. InputError: more than 64 targets.
     """
-    clock = Clock(options.time_limit)
-    graph = build_graph(instance)
-    gap = max(options.gap, _LEAST_GAP)
-    search = Search(graph, range(instance.n_targets), instance.n_agents, gap, clock, options.progress, options.seed)
-    try:
-        search.find_first()
-        search.run()
-    except KeyboardInterrupt:
-        pass
-    return _solution(instance, search, clock.elapsed())
+    if instance.n_targets > _MOST_TARGETS:
+        raise InputError(f'targets: method "exact" takes at most {_MOST_TARGETS}, found {instance.n_targets}')
+    graph, targets = build_graph(instance), range(instance.n_targets)
+    n_agents = min(instance.n_agents, instance.n_targets)
+    with Watch(options.time_limit) as clock:
+        search = Search(
+            graph, targets, n_agents, max(options.gap, _LEAST_GAP), clock, options.progress,
+            annealing=Annealing(graph, targets, n_agents, options.seed),
+        )  # fmt: skip
+        try:
+            search.run()
+        except KeyboardInterrupt:  # from the progress callback; Ctrl-C itself is the clock's
+            pass
+    return _solution(search, clock.spent)
 
 
-def _solution(instance, search, runtime):
+def _solution(search, runtime):
     tours = search.incumbent.tours()
     if tours:
-        check(instance, tours)
         status = OPTIMAL if search.closed() else FEASIBLE
         return Solution(status, search.incumbent.objective, search.bound, runtime, tours, "exact", _NAME, nodes=search.labels)
     status = INFEASIBLE if math.isinf(search.bound) else UNKNOWN

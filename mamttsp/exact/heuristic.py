@@ -1,7 +1,8 @@
 """First tours: ruin and recreate on a time grid (after Christiaens and Vanden Berghe 2020, without their string removal).
 
-Visits are restricted to grid times of their segments, so that a route is a shortest path through layers of grid points
-and every route found can be flown. Insertions are priced exactly on the grid from the values so far and the values to go.
+Visits are restricted to grid times of their segments, so that a route is a shortest path through layers of grid points,
+and insertions are priced from the values so far and the values to go. A flight on the grid may come half a step late, for
+the grid would else be too strict; what is kept can be flown, by the exact earliest times of its segments.
 """
 
 import math
@@ -9,30 +10,44 @@ import math
 import numpy as np
 from numba import njit
 
-from ..motion import TIME_SLACK
+from ..motion import TIME_SLACK, earliest_meeting
 
 _GRID = 24
 _BLINK = 0.02
 
 
-def first_tours(graph, n_agents, iterations, seed=0):
-    """Return routes (lists of segments) that serve all targets, or None if none were found. Deterministic for a seed."""
-    node, time = _grid(graph)
-    p = graph.p_lo[node] + (time - graph.t_lo[node])[:, None] * graph.v[node]
-    start = np.searchsorted(graph.tau[node], np.arange(graph.n_targets + 1))
-    between, first, last = _distances(p, time, graph.tau[node], graph.p_lo[0], graph.max_speed, graph.horizon)
-    routes, length, points = ruin_and_recreate(
-        between, first, last, start, n_agents, 4.0 * graph.size, iterations, seed
-    )
-    if length.sum() < graph.n_targets:
-        return None
-    return [[int(node[g]) for g in points[k, : length[k]]] for k in range(n_agents) if length[k]]
+class Annealing:
+    """Ruin and recreate by simulated annealing, from nothing or on from where it stands. Deterministic for a seed."""
+
+    def __init__(self, graph, targets, n_agents, seed=0):
+        self.m, self.n, self.seed, self.penalty = n_agents, len(targets), seed, 4.0 * graph.size
+        self.node, time, self.start, step = _grid(graph, targets)
+        p = graph.p_lo[self.node] + (time - graph.t_lo[self.node])[:, None] * graph.v[self.node]
+        owner = np.repeat(np.arange(self.n), np.diff(self.start))
+        self.network = _distances(p, time, owner, graph.p_lo[0], graph.max_speed, graph.horizon, 0.5 * step)
+        segment = np.c_[graph.p_lo, graph.v, graph.t_lo, graph.t_hi][self.node]
+        self.motion = segment, graph.p_lo[0].copy(), graph.max_speed, graph.horizon
+        self.routes, self.length = np.zeros((n_agents, self.n), np.int64), np.zeros(n_agents, np.int64)
+
+    def run(self, iterations, warm, cool):
+        """Anneal on, from heat `warm` to `cool` (1 to 0); return routes (tuples of segments) that serve all targets and can be flown, or None while there are none."""
+        self.seed += 1
+        self.routes, self.length, length, points = ruin_and_recreate(
+            *self.network, self.start, *self.motion, self.routes, self.length, self.penalty,
+            iterations, warm, cool, self.seed,
+        )  # fmt: skip
+        if length.sum() < self.n:
+            return None
+        return [tuple(int(self.node[g]) for g in points[k, : length[k]]) for k in range(self.m) if length[k]]
 
 
-def _grid(graph):
-    """Return (node, time) of about _GRID points for each target, both ends of each of its segments among them."""
-    nodes, times = [], []
-    for u in range(graph.n_targets):
+def _grid(graph, targets):
+    """Return (node, time, start, step): about _GRID points for each target, both ends of each of its segments among them.
+
+    start: (n + 1,) where the points of each target begin; step: the longest time between two points.
+    """
+    nodes, times, start, longest = [], [], [0], 0.0
+    for u in targets:
         cluster = graph.C(u)
         step = (graph.t_hi[cluster] - graph.t_lo[cluster]).sum() / _GRID
         for i in cluster:
@@ -40,15 +55,17 @@ def _grid(graph):
             grid = np.linspace(graph.t_lo[i], graph.t_hi[i], 1 + math.ceil(duration / step) if duration > 0 else 1)
             nodes.append(np.full(len(grid), i))
             times.append(grid)
-    return np.concatenate(nodes), np.concatenate(times)
+        start.append(start[-1] + sum(len(grid) for grid in times[-len(cluster) :]))
+        longest = max(longest, step)
+    return np.concatenate(nodes), np.concatenate(times), np.array(start), longest
 
 
 @njit(cache=True)
-def _distances(p, time, target, depot, speed, horizon):
-    """Return (between (P, P), first (P,), last (P,)): distances, infinite where they cannot be flown in time."""
+def _distances(p, time, target, depot, speed, horizon, slack):
+    """Return (between (P, P), first (P,), last (P,)): distances, infinite where a flight would be more than `slack` s late."""
     P = len(time)
     between, first, last = np.full((P, P), np.inf), np.full(P, np.inf), np.full(P, np.inf)
-    slack = TIME_SLACK * horizon
+    slack += TIME_SLACK * horizon
     for g in range(P):
         d = math.hypot(p[g, 0] - depot[0], p[g, 1] - depot[1])
         if d <= speed * (time[g] + slack):
@@ -196,22 +213,40 @@ def _remove(seed, how_many, order, routes, length, absent):
 
 
 @njit(cache=True)
-def ruin_and_recreate(between, first, last, start, m, penalty, iterations, seed):
-    """Return (routes (m, n), length (m,), points (m, n)): the best found by simulated annealing; `penalty` for each target
-    left out. points: the grid points of the visits."""
+def _flyable(points, length, segment, depot, speed, horizon):
+    """Tell whether the segments of the points can be met in this order, and the depot by the horizon."""
+    px, py, t = depot[0], depot[1], 0.0
+    for i in range(length):
+        x, y, vx, vy, start, end = segment[points[i]]
+        t = earliest_meeting(px, py, t, x, y, start, vx, vy, start, end, speed)
+        if t == np.inf:
+            return False
+        px, py = x + (t - start) * vx, y + (t - start) * vy
+    return earliest_meeting(px, py, t, depot[0], depot[1], 0.0, 0.0, 0.0, 0.0, horizon, speed) < np.inf
+
+
+@njit(cache=True)
+def ruin_and_recreate(
+    between, first, last, start, segment, depot, speed, horizon, routes, length, penalty, iterations, warm, cool, seed
+):
+    """Return (routes (m, n), length (m,), best_length (m,), points (m, n)): where annealing from the given routes ends,
+    and the lengths and grid points of the best routes on the way; `penalty` for each target left out. segment: (P, 6)
+    motion of each point's segment."""
     np.random.seed(seed)
-    n = len(start) - 1
+    m, n = routes.shape
     widest = np.max(start[1:] - start[:-1])
-    routes, length = np.zeros((m, n), np.int64), np.zeros(m, np.int64)
-    cost = np.zeros(m)
+    routes, length, cost = routes.copy(), length.copy(), np.zeros(m)
     so_far, to_go = np.empty((m, n, widest)), np.empty((m, n, widest))
     arrive, leave = np.empty(widest), np.empty(widest)
     order = _closeness(between, start, n)
-    bank = np.arange(n)
-    np.random.shuffle(bank)
-    absent = _insert_all(bank, routes, length, cost, between, first, last, start, so_far, to_go, arrive, leave).copy()
+    absent_here = np.ones(n, np.bool_)
+    for k in range(m):
+        absent_here[routes[k, : length[k]]] = False
+        cost[k] = _evaluate(routes[k], length[k], between, first, last, start, so_far[k], to_go[k])
+    absent = np.flatnonzero(absent_here)
     now = cost.sum() + penalty * len(absent)
     best, best_routes, best_length = now, routes.copy(), length.copy()
+    points = np.zeros((m, n), np.int64)
     for it in range(iterations):
         kept_routes, kept_length, kept_cost, kept_absent = routes.copy(), length.copy(), cost.copy(), absent
         bank = _remove(np.random.randint(n), np.random.randint(1, min(n, 8) + 1), order, routes, length, absent)
@@ -222,33 +257,37 @@ def ruin_and_recreate(between, first, last, start, m, penalty, iterations, seed)
             bank, routes, length, cost, between, first, last, start, so_far, to_go, arrive, leave
         ).copy()
         total = cost.sum() + penalty * len(absent)
-        heat = 0.02 * best * (1.0 - it / iterations) ** 2
-        if total < now - heat * math.log(np.random.random() + 1e-300):
+        heat = 0.02 * best * (warm + (cool - warm) * it / iterations) ** 2
+        changed = np.zeros(m, np.bool_)
+        for k in range(m):
+            changed[k] = length[k] != kept_length[k] or np.any(routes[k, : length[k]] != kept_routes[k, : length[k]])
+        accepted = total < now - heat * math.log(np.random.random() + 1e-300)
+        for k in range(m):
+            if accepted and changed[k]:
+                _trace(routes[k], length[k], between, first, start, to_go[k], points[k])
+                accepted = _flyable(points[k], length[k], segment, depot, speed, horizon)
+        if accepted:
             now = total
             if total < best:
                 best, best_routes, best_length = total, routes.copy(), length.copy()
         else:
-            changed = length != kept_length
-            for k in range(m):
-                changed[k] = changed[k] or np.any(routes[k, : length[k]] != kept_routes[k, : kept_length[k]])
             routes, length, cost, absent = kept_routes, kept_length, kept_cost, kept_absent
             for k in range(m):
                 if changed[k]:
                     _evaluate(routes[k], length[k], between, first, last, start, so_far[k], to_go[k])
-    return best_routes, best_length, _points(best_routes, best_length, between, first, last, start, so_far, to_go)
+    for k in range(m):
+        _evaluate(best_routes[k], best_length[k], between, first, last, start, so_far[k], to_go[k])
+        _trace(best_routes[k], best_length[k], between, first, start, to_go[k], points[k])
+    return routes, length, best_length, points
 
 
 @njit(cache=True)
-def _points(routes, length, between, first, last, start, so_far, to_go):
-    """Return (m, n) the grid points of a cheapest flight along each route."""
-    points = np.zeros(routes.shape, np.int64)
-    for k in range(len(length)):
-        _evaluate(routes[k], length[k], between, first, last, start, so_far[k], to_go[k])
-        for i in range(length[k]):
-            w = routes[k, i]
-            best = np.inf
-            for g in range(start[w], start[w + 1]):
-                here = first[g] if i == 0 else between[points[k, i - 1], g]
-                if here + to_go[k, i, g - start[w]] < best:
-                    best, points[k, i] = here + to_go[k, i, g - start[w]], g
-    return points
+def _trace(route, length, between, first, start, to_go, points):
+    """Fill the grid points of a cheapest flight along a route that is evaluated."""
+    for i in range(length):
+        w = route[i]
+        best = np.inf
+        for g in range(start[w], start[w + 1]):
+            here = first[g] if i == 0 else between[points[i - 1], g]
+            if here + to_go[i, g - start[w]] < best:
+                best, points[i] = here + to_go[i, g - start[w]], g

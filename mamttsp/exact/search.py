@@ -9,7 +9,6 @@ All bounds are of second order in the lengths of the pieces.
 """
 
 import math
-import time
 
 import numpy as np
 from scipy import sparse
@@ -18,7 +17,7 @@ from ..backends.answer import Progress
 from ..solution import relative_gap
 from . import memory
 from .forest import Forest
-from .heuristic import first_tours
+from .heuristic import Annealing
 from .incumbent import Incumbent
 from .multipliers import Relaxation, ascend
 from .partition import choose, relax_choice
@@ -31,7 +30,9 @@ _MEMORY = 7
 _SMALL, _SMALL_MEMORY = 10, 4
 _BEAM = 1000
 _FEW_LABELS, _MOST_LABELS = 500_000, 8_000_000
-_FEW_SETS = 3000
+#: iterations of ruin and recreate between two looks at the clock
+_STEP = 500
+_FEW_SETS = 800
 _FEW_SEQUENCES = 400
 #: pieces that a round may have: the table of their legs grows with the square
 _MOST_PIECES = 2000
@@ -43,32 +44,16 @@ _NEGLIGIBLE = 1e-9
 _RATE = 2e7
 
 
-class Clock:
-    """Wall time since the start, and a deadline."""
-
-    def __init__(self, time_limit=None):
-        self.start = time.perf_counter()
-        self.limit = math.inf if time_limit is None else time_limit
-
-    def elapsed(self):
-        return time.perf_counter() - self.start
-
-    def left(self):
-        return self.limit - self.elapsed()
-
-    def out(self):
-        return self.left() <= 0.0
-
-
 class Search:
     """A run of the exact solver for some targets of a graph. `bound` holds at every moment, `incumbent` is the best found.
 
-    cutoff: value from which solutions are of no interest; `bound` may then stop there.
+    cutoff: value from which solutions are of no interest; `bound` may then stop there. annealing: looks for tours before
+    each round, until a round has enumerated all labels; None does without.
     """
 
-    def __init__(self, graph, targets, n_agents, gap, clock, progress=None, seed=0, cutoff=math.inf):
+    def __init__(self, graph, targets, n_agents, gap, clock, progress=None, cutoff=math.inf, annealing=None):
         self.graph, self.targets, self.n, self.m = graph, list(targets), len(targets), min(n_agents, len(targets))
-        self.gap, self.clock, self.progress, self.seed, self.cutoff = gap, clock, progress, seed, cutoff
+        self.gap, self.clock, self.progress, self.cutoff, self.annealing = gap, clock, progress, cutoff, annealing
         self.incumbent = Incumbent(graph, self.m)
         self.bound, self.labels = 0.0, 0
         self.negligible = _NEGLIGIBLE * graph.size
@@ -108,7 +93,7 @@ class Search:
         if self.progress:
             objective = None if math.isinf(self.incumbent.objective) else self.incumbent.objective
             gap = relative_gap(objective, self.bound)
-            self.progress(Progress(self.clock.elapsed(), objective, self.bound, gap, self.labels, phase))
+            self.progress(Progress(self.clock.spent, objective, self.bound, gap, self.labels, phase))
 
     def over(self):
         return self.closed() or self.clock.out()
@@ -121,14 +106,19 @@ class Search:
             self.round(iterations)
             iterations = min(iterations, 10)
 
-    def find_first(self):
-        """Look for tours by ruin and recreate."""
-        routes = first_tours(self.graph, self.m, 200 * self.n, self.seed)
-        if routes:
-            self.incumbent.offer([tuple(route) for route in routes])
+    def search_tours(self, annealing):
+        """Look for tours by ruin and recreate, in steps short enough to end in time."""
+        steps = max(1, 200 * self.n // _STEP)
+        for step in range(steps):
+            if self.clock.out():
+                return
+            if routes := annealing.run(_STEP, 1.0 - step / steps, 1.0 - (step + 1) / steps):
+                self.incumbent.offer(routes)
         self.report("heuristic")
 
     def round(self, iterations):
+        if self.annealing and not self.enumerated:
+            self.search_tours(self.annealing)
         pieces = make_pieces(self.graph, *self.cut, self.targets)
         N = memory.neighbourhoods(pieces, self.n, self.memory)
         relaxation = Relaxation(pieces, self.n, self.m, N, memory.transitions(N), self.after, self.before)
@@ -156,7 +146,7 @@ class Search:
 
     def enumerate(self, relaxation):
         """Grow all labels within the limit, bound every solution by the choice among their routes, drop unused pieces."""
-        budget = self.clock.left() * _RATE
+        budget = self.clock.seconds * _RATE
         forest = Forest(relaxation, self.pi, self.limit, self.most, budget=budget, out_of_time=self.clock.out)
         self.labels += forest.size
         self.enumerated = forest.complete
