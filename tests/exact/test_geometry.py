@@ -8,7 +8,7 @@ from examples import HORIZON, MAX_SPEED, instance, moving, still
 from exact.certificates import assert_brackets, assert_certified
 from exact.enumeration import optimum
 
-from mamttsp import Instance, Target, generate, solve
+from mamttsp import InputError, Instance, Target, generate, solve
 
 AROUND = ((40.0, 60.0),)
 #: what passes (20, 0) at t = 50 at right angles to the way from the depot is nowhere nearer to it
@@ -166,9 +166,11 @@ def test_many_targets_close_together_without_windows():
     assert solution.tours
 
 
-def test_more_targets_than_bits_of_a_word():
-    problem = along_a_ray(66)
+def test_more_targets_than_the_method_takes():
+    problem = along_a_ray(64)
     assert_brackets(problem, solve(problem, time_limit=1.0), 20.0)
+    with pytest.raises(InputError, match='^targets: method "exact" takes at most 64, found 65$'):
+        solve(along_a_ray(65))
 
 
 # --- Just in time ----------------------------------------------------------------------------------------------------
