@@ -1,4 +1,4 @@
-"""The command line: `python -m mamttsp generate | solve | check | versions`.
+"""The command line: `python -m mamttsp generate | solve | check | campaign | versions`.
 
 Exit status: 0 done; 1 no answer, or a solution that is wrong; 2 bad input or usage, with one line on standard error.
 """
@@ -84,6 +84,19 @@ def _check(arguments):
     return 0
 
 
+def _campaign(arguments):
+    from .experiments import campaign, profile, summary  # here: file locks are of Unix, and the other commands are not
+
+    _check_writable(arguments.results)
+    runs = profile(arguments.profile, arguments.solver)
+    elsewhere = campaign(runs, arguments.results, arguments.jobs, arguments.memory_limit, arguments.quiet)
+    if not arguments.quiet:
+        print(f"{arguments.results}: {summary(runs, arguments.results)}")
+    if elsewhere:
+        print(f"{len(elsewhere)} runs are another campaign's; run this again if it does not finish them", file=sys.stderr)
+    return 0
+
+
 def _versions(arguments):
     print(versions())
     return 0
@@ -103,7 +116,7 @@ def _check_writable(path):
 
 def _parser():
     parser = _Parser(prog="mamttsp", description="The multi-agent moving-target traveling salesman problem.")
-    commands = parser.add_subparsers(required=True, metavar="generate | solve | check | versions")
+    commands = parser.add_subparsers(required=True, metavar="generate | solve | check | campaign | versions")
 
     command = commands.add_parser("generate", help="write a random instance of the paper's kind")
     command.add_argument("--targets", type=int, required=True, metavar="N")
@@ -123,6 +136,15 @@ def _parser():
     command.add_argument("solution", metavar="SOLUTION")
     command.add_argument("--agents", type=int, metavar="M", help="as given to solve")
     command.set_defaults(run=_check)
+
+    command = commands.add_parser("campaign", help="many runs, a row of a CSV file each; started again, it goes on")
+    command.add_argument("--profile", required=True, help="smoke, reduced, full or exact")
+    command.add_argument("--results", required=True, metavar="FILE.csv")
+    command.add_argument("--jobs", type=int, default=1, metavar="N", help="runs at the same time (default: 1)")
+    command.add_argument("--solver", help="of the profile full (default: scip)")
+    command.add_argument("--memory-limit", type=float, default=4000, metavar="MB", help="for each run (default: 4000)")
+    command.add_argument("--quiet", action="store_true", help="neither progress nor summary")
+    command.set_defaults(run=_campaign)
 
     command = commands.add_parser("versions", help="what to put into a bug report")
     command.set_defaults(run=_versions)

@@ -1,0 +1,83 @@
+"""A campaign: the runs that have no row yet, several at a time, each appended as it finishes."""
+
+import contextlib
+import threading
+from dataclasses import asdict
+
+from joblib import Parallel, delayed
+from tqdm import tqdm
+
+from ..backends import backend
+from ..validation import positive, whole
+from .process import WORKER, run_apart
+from .provenance import now, provenance
+from .rows import Results, key_of
+
+#: MB of resident memory for each run
+MEMORY_LIMIT = 4000
+
+
+def campaign(runs, path, jobs=1, memory_limit=MEMORY_LIMIT, quiet=False, command=WORKER):
+    """Do the runs that have no row in the CSV file `path`, and return the runs that have none at the end.
+
+    Those are runs that another campaign on the same file has in flight: campaigns share a file and its work.
+    jobs: runs at the same time, each with one thread; memory_limit: MB for each run; quiet: no progress bar;
+    command: what a run's process executes. A campaign that was killed goes on from its rows when it is called again.
+
+    InputError: a bad argument, a solver that is not installed, or a file that is not ours or cannot be written.
+    """
+    whole("jobs", jobs, 1)
+    positive("memory_limit", memory_limit)
+    for solver in {run.solver for run in runs} - {None}:
+        backend(solver)
+    with Results(path) as results:
+        left = _without_row(runs, results)
+        with tqdm(total=len(runs), initial=len(runs) - len(left), unit="run", disable=quiet) as bar:
+            rows = _rows(left, results, provenance(jobs), jobs, memory_limit, command, bar)
+            with contextlib.closing(rows):  # whatever goes wrong here, the processes are ended
+                for row in rows:
+                    results.append(row)
+                    bar.update()
+        return _without_row(runs, results)
+
+
+def _without_row(runs, results):
+    done = results.keys()
+    return [run for run in runs if key_of(asdict(run)) not in done]
+
+
+def _rows(runs, results, about, jobs, memory_limit, command, bar):
+    """Yield a row for each run as it finishes. Each thread waits for the process of a run, so threads are enough."""
+    stop = threading.Event()
+    running = _Running(bar)
+
+    def row(run):
+        with running:
+            answer = run_apart(run, memory_limit, stop, command)
+        return answer and asdict(run) | about | answer | {"date": now()}
+
+    ours = (delayed(row)(run) for run in runs if results.claim(key_of(asdict(run))))
+    parallel = Parallel(jobs, backend="threading", return_as="generator_unordered", pre_dispatch="n_jobs", batch_size=1)
+    with contextlib.closing(parallel(ours)) as finished:
+        try:
+            yield from filter(None, finished)
+        finally:
+            stop.set()
+
+
+class _Running:
+    """Shows beside the bar how many runs are running: a context manager around each."""
+
+    def __init__(self, bar):
+        self._bar, self._count, self._mutex = bar, 0, threading.Lock()
+
+    def __enter__(self):
+        self._add(1)
+
+    def __exit__(self, *exception):
+        self._add(-1)
+
+    def _add(self, change):
+        with self._mutex:
+            self._count += change
+            self._bar.set_postfix_str(f"{self._count} running")

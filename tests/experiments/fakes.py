@@ -1,0 +1,58 @@
+"""Runs that need no solver: a script in the place of the worker, and campaigns with it in processes of their own."""
+
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import psutil
+
+from mamttsp.experiments import Run, read_rows
+
+FAKE_WORKER = (sys.executable, str(Path(__file__).with_name("fake_worker.py")))
+#: a campaign on runs 0 to N-1, which the script does in S seconds each
+_CAMPAIGN = """
+import sys
+from mamttsp.experiments import Run, campaign
+path, number, seconds, *command = sys.argv[1:]
+runs = [Run(5, index, 20, 1, "fake", None, None, float(seconds)) for index in range(int(number))]
+left = campaign(runs, path, jobs=2, quiet=True, command=command)
+print(len(left))
+"""
+
+
+def fake_run(index, time_limit=0.01):
+    """Return a run that the script answers after `time_limit` seconds."""
+    return Run(5, index, 20, 1, "fake", None, None, time_limit)
+
+
+def start_campaign(path, number, seconds, command=FAKE_WORKER):
+    """Start a campaign on `number` fake runs of `seconds` each in a process of its own."""
+    arguments = [sys.executable, "-c", _CAMPAIGN, str(path), str(number), str(seconds), *command]
+    return subprocess.Popen(arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def wait_for_rows(path, number, process, seconds=60):
+    """Wait until the file has `number` rows; fail if the process ends before."""
+    wait_until(lambda: process.poll() is not None or (path.exists() and len(read_rows(path)) >= number), seconds)
+    assert process.poll() is None, process.stderr.read()
+
+
+def wait_until(holds, seconds=60):
+    """Wait until `holds()`; fail if that takes too long."""
+    end = time.monotonic() + seconds
+    while not holds():
+        assert time.monotonic() < end, "it did not happen in time"
+        time.sleep(0.02)
+
+
+def children(process):
+    """Return the processes that a process has started, once there are some."""
+    parent = psutil.Process(process.pid)
+    wait_until(parent.children)
+    return parent.children(recursive=True)
+
+
+def indices(path):
+    """Return the instances that have a row, sorted."""
+    return sorted(int(row["index"]) for row in read_rows(path))
