@@ -130,3 +130,37 @@ def charge_view(distance, size, ax=None):
     ax.set(xlabel="flow y on the edge", ylabel="least length l (units)")
     ax.legend(loc="upper left", frameon=False)
     return ax
+
+
+def perspective_view(graph, i, shares=(0.25, 0.5, 0.75, 1.0), ax=None):
+    """Draw the sets y X_i of node i, in one coordinate of space and time, for some shares y, and return the axes.
+
+    X_i is the segment that (x, t) can be on; y X_i is the same segment drawn y times as far from the origin, and all
+    of them together fill a cone.
+    """
+    ax = ax or plt.figure(figsize=(6, 5), layout="constrained").add_subplot()
+    ends = np.array([[graph.p_lo[i][0], graph.t_lo[i]], [graph.p_hi[i][0], graph.t_hi[i]]])
+    ax.fill(*np.vstack([[0.0, 0.0], ends]).T, color="0.92", zorder=0, label="all shares from 0 to 1")
+    for k, y in enumerate(shares):
+        style = {"color": COLOURS[k % len(COLOURS)], "linestyle": LINES[-k % len(LINES)], "linewidth": 2.0}
+        ax.plot(*(y * ends).T, **style, label=f"y = {y:g}")
+    ax.plot(0.0, 0.0, "o", color="black", label="y = 0")
+    ax.set(xlabel="z_p, first coordinate (units)", ylabel="z_t (s)")
+    ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0.0, frameon=False)
+    return ax
+
+
+def sizes_view(sizes, ax=None):
+    """Draw how many variables formulations have for 1, 2, ... agents, and return the axes.
+
+    sizes: dict from the name of a formulation to its numbers of variables, for m = 1, 2, ...
+    """
+    ax = ax or plt.figure(figsize=(6, 4), layout="constrained").add_subplot()
+    for k, (name, numbers) in enumerate(sizes.items()):
+        agents = range(1, len(numbers) + 1)
+        ax.plot(agents, numbers, color=COLOURS[k], linestyle=LINES[k], marker=MARKERS[k], label=name)
+        ax.set_xticks(agents)
+    ax.set(xlabel="agents m", ylabel="variables")
+    ax.set_ylim(bottom=0)
+    ax.legend(loc="upper left", frameon=False)
+    return ax

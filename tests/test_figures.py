@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 from examples import instance, moving, still
 
-from mamttsp import Tour, Visit
-from mamttsp.figures import COLOURS, LINES, MARKERS, charge_view, plan_view, save, space_time_view
+from mamttsp import Tour, Visit, build_graph
+from mamttsp.figures import COLOURS, LINES, MARKERS, charge_view, perspective_view, plan_view, save, sizes_view, space_time_view
 
 INSTANCE = instance(moving((10, 0), (0, 0.2), [(5, 15), (30, 50)]), still(0, 20, [(0, 60)]), n_agents=3)
 TOURS = [Tour((Visit(0, 10.0, (10.0, 2.0)), Visit(1, 20.0, (0.0, 20.0))), 30.0)]
@@ -97,3 +97,17 @@ def test_the_charge_of_an_edge_is_free_until_big_m_lets_go():
     perspective, big_m, _ = charge_view(distance=40.0, size=100.0).lines
     assert np.column_stack(perspective.get_data()).tolist() == [[0, 0], [1, 40]]
     assert np.column_stack(big_m.get_data()).tolist() == [[0, 0], [0.6, 0], [1, 40]]
+
+
+def test_shares_of_a_segment_are_the_segment_scaled():
+    graph = build_graph(instance(moving((10, 0), (1, 0.2), [(20, 40)])))
+    ax = perspective_view(graph, 1, shares=(0.5, 1.0))
+    half, whole, nothing = (np.column_stack(line.get_data()) for line in ax.lines)
+    assert whole == pytest.approx(np.array([[30, 20], [50, 40]]))
+    assert half == pytest.approx(whole / 2) and nothing.tolist() == [[0, 0]]
+
+
+def test_sizes_are_drawn_against_the_number_of_agents():
+    ax = sizes_view({"baseline": [10, 20, 30], "micp": [12, 12, 12]})
+    assert [np.column_stack(line.get_data()).tolist()[-1] for line in ax.lines] == [[3, 30], [3, 12]]
+    assert _legend(ax) == ["baseline", "micp"]
