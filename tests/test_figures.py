@@ -3,10 +3,12 @@
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
+from matplotlib.colors import to_hex
 from examples import instance, moving, still
 
 from mamttsp import Tour, Visit, build_graph
-from mamttsp.figures import COLOURS, LINES, MARKERS, charge_view, perspective_view, plan_view, save, sizes_view, space_time_view
+from mamttsp.figures import COLOURS, LINES, MARKERS, charge_view, graph_view, perspective_view, plan_view
+from mamttsp.figures import reach_view, save, sizes_view, space_time_view
 
 INSTANCE = instance(moving((10, 0), (0, 0.2), [(5, 15), (30, 50)]), still(0, 20, [(0, 60)]), n_agents=3)
 TOURS = [Tour((Visit(0, 10.0, (10.0, 2.0)), Visit(1, 20.0, (0.0, 20.0))), 30.0)]
@@ -111,3 +113,21 @@ def test_sizes_are_drawn_against_the_number_of_agents():
     ax = sizes_view({"baseline": [10, 20, 30], "micp": [12, 12, 12]})
     assert [np.column_stack(line.get_data()).tolist()[-1] for line in ax.lines] == [[3, 30], [3, 12]]
     assert _legend(ax) == ["baseline", "micp"]
+
+
+def test_the_reach_of_an_agent_is_a_cone_in_time():
+    road = instance(moving((10, 0), (0.5, 0), [(5, 15)]), still(-20, 0))
+    ax = reach_view(road, 10.0, 20.0, meetings=[(30.0, 25.0)])
+    assert ax.patches[0].get_xy()[:3].tolist() == [[10, 20], [10 - 4 * 80, 100], [10 + 4 * 80, 100]]
+    assert _lines(ax, "#F5C45E")[0].tolist() == [[12.5, 5], [17.5, 15]]
+    assert _legend(ax) == ["can be reached", "target's path", "time window", "earliest meeting", "agent"]
+    assert [line.get_xydata().tolist() for line in ax.lines if line.get_label() == "earliest meeting"] == [[[30, 25]]]
+
+
+def test_the_graph_has_a_circle_for_each_node_and_an_arrow_for_each_edge():
+    graph = build_graph(instance(still(10, 0, [(0, 20), (30, 50)]), still(0, 10)))
+    ax = graph_view(graph, route=[1, 3])
+    arrows = [text.arrow_patch for text in ax.texts if getattr(text, "arrow_patch", None)]
+    assert len(arrows) == len(graph.edges) and len(ax.lines) == len(graph.tau)
+    assert sum(to_hex(arrow.get_edgecolor()).upper() == COLOURS[0] for arrow in arrows) == 3
+    assert [text.get_text() for text in ax.texts if text.get_text()] == ["s", "1", "2", "3", "s'", "target 0", "target 1"]
