@@ -93,7 +93,7 @@ def _campaign(arguments):
     if not arguments.quiet:
         print(f"{arguments.results}: {summary(runs, arguments.results)}")
     if elsewhere:
-        print(f"{len(elsewhere)} runs are another campaign's; run this again if it does not finish them", file=sys.stderr)
+        print(f"{len(elsewhere)} runs are in flight in another campaign on this file", file=sys.stderr)
     return 0
 
 

@@ -2,6 +2,7 @@
 
 import contextlib
 import threading
+import warnings
 from dataclasses import asdict
 
 from joblib import Parallel, delayed
@@ -11,7 +12,8 @@ from ..backends import backend
 from ..validation import positive, whole
 from .process import WORKER, run_apart
 from .provenance import now, provenance
-from .rows import Results, key_of
+from .results import Results
+from .rows import key_of
 
 #: MB of resident memory for each run
 MEMORY_LIMIT = 4000
@@ -58,11 +60,13 @@ def _rows(runs, results, about, jobs, memory_limit, command, bar):
 
     ours = (delayed(row)(run) for run in runs if results.claim(key_of(asdict(run))))
     parallel = Parallel(jobs, backend="threading", return_as="generator_unordered", pre_dispatch="n_jobs", batch_size=1)
-    with contextlib.closing(parallel(ours)) as finished:
-        try:
-            yield from filter(None, finished)
-        finally:
-            stop.set()
+    finished = parallel(ours)
+    try:
+        yield from filter(None, finished)
+    finally:
+        stop.set()
+        with warnings.catch_warnings(action="ignore", category=UserWarning):  # joblib's, of runs ended before their time
+            finished.close()
 
 
 class _Running:

@@ -49,7 +49,7 @@ def _start(run, command, out, err):
 
 
 def _watch(process, memory_limit, deadline, stop):
-    """Wait for the process; return why it has to be ended, None if it ended by itself, and the most memory seen in MB."""
+    """Wait for the process; return why it has to be ended, None if it ended by itself, and its peak memory in MB."""
     most = 0.0
     while process.poll() is None:
         with contextlib.suppress(psutil.Error):  # it may end between two looks

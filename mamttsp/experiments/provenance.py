@@ -32,7 +32,7 @@ def now():
 
 
 def _commit():
-    """Return the commit of this package's files, "+changed" if they differ from it; None where git does not keep them."""
+    """Return the commit of this package's files, "+changed" if they differ from it, None without a repository."""
     commit = _git("rev-parse", "--short=12", "HEAD")
     if commit is None or _git("ls-files", "--error-unmatch", "__init__.py") is None:
         return None

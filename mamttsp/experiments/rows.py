@@ -1,14 +1,9 @@
-"""The rows of a campaign: one CSV file that several campaigns can share, and that a kill at any moment leaves whole."""
+"""The rows of a campaign: their columns, how they stand in a CSV file, and how they are read back."""
 
-import contextlib
 import csv
 import dataclasses
-import fcntl  # locks of Unix: campaigns run on Linux and macOS
-import hashlib
 import io
 import json
-import os
-import threading
 from collections import Counter
 
 from ..tours import Tour
@@ -19,17 +14,14 @@ KEY = tuple(field.name for field in dataclasses.fields(Run))
 ANSWER = ("status", "message", "objective", "bound", "gap", "gap_percent", "runtime_s", "build_time_s", "solve_time_s")
 ANSWER += ("nodes", "subtour_cuts", "memory_mb")
 SIZES = ("V", "E", "variables", "binaries", "integers", "linear_rows", "cones", "bilinear_rows")
-PROVENANCE = ("version", "commit", "solver_version", "modeler_version", "gap_limit", "threads", "seed", "memory_limit_mb")
-PROVENANCE += ("jobs", "cpu", "cores", "machine_memory_gb", "os", "python", "date")
+PROVENANCE = ("version", "commit", "solver_version", "modeler_version", "gap_limit", "threads", "seed")
+PROVENANCE += ("memory_limit_mb", "jobs", "cpu", "cores", "machine_memory_gb", "os", "python", "date")
 COLUMNS = (*KEY, *ANSWER, *SIZES, "tours", *PROVENANCE)
-
-#: claims are locks on single bytes from here on, far behind the rows
-_CLAIMS = 2**40
 
 
 def key_of(row):
     """Return the key of a row, or of a run's fields, as a tuple of texts."""
-    return tuple(_text(row[name]) for name in KEY)
+    return tuple(text_of(row[name]) for name in KEY)
 
 
 def read_rows(path):
@@ -39,7 +31,7 @@ def read_rows(path):
     """
     try:
         with open(path, "rb") as file:
-            return _parse(file.read(), path)
+            return parse(file.read(), path)
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from error
 
@@ -57,94 +49,13 @@ def summary(runs, path):
     return f"{statuses.total()} of {len(runs)} runs: {', '.join(parts)}"
 
 
-class Results:
-    """A results file open for appending; a context manager. Its locks go with the process, however it ends."""
-
-    def __init__(self, path):
-        self.path = path
-        self._mutex = threading.RLock()  # the file's lock excludes other processes, not this one's threads
-        try:
-            self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o666)
-        except OSError as error:
-            raise InputError(f"{path}: cannot be written: {error.strerror}") from error
-        try:
-            with self._locked():
-                self._keys()
-                if not self._size():
-                    self._write(COLUMNS)
-        except BaseException:
-            self.__exit__()
-            raise
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *exception):
-        os.close(self._file)
-
-    def keys(self):
-        """Return the keys of the rows, as they are now."""
-        with self._locked():
-            return self._keys()
-
-    def claim(self, key):
-        """Tell whether the run is ours to do: no other campaign has it in flight, and it has no row yet."""
-        byte = _CLAIMS + int.from_bytes(hashlib.sha256(repr(key).encode()).digest()[:5], "big")
-        try:
-            fcntl.lockf(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, byte)
-        except (BlockingIOError, PermissionError):
-            return False
-        return key not in self.keys()
-
-    def append(self, row):
-        """Append a row unless its run has one; InputError if there is no room, with the file as it was."""
-        with self._locked():
-            if key_of(row) not in self._keys():
-                self._write([_text(row.get(name)) for name in COLUMNS])
-
-    @contextlib.contextmanager
-    def _locked(self):
-        with self._mutex:
-            fcntl.flock(self._file, fcntl.LOCK_EX)
-            try:
-                yield
-            finally:
-                fcntl.flock(self._file, fcntl.LOCK_UN)
-
-    def _size(self):
-        return os.fstat(self._file).st_size
-
-    def _keys(self):
-        """Return the keys of the rows; a line that another campaign was killed in is cut off first."""
-        data = os.pread(self._file, self._size(), 0)
-        keys = {key_of(row) for row in _parse(data, self.path)}
-        whole = data.rfind(b"\n") + 1
-        if whole < len(data):
-            os.ftruncate(self._file, whole)
-        return keys
-
-    def _write(self, values):
-        """Write a line whole or not at all."""
-        before, line = self._size(), _line(values)
-        try:
-            while line:
-                line = line[os.write(self._file, line) :]
-            os.fsync(self._file)
-        except OSError as error:
-            os.ftruncate(self._file, before)
-            reason = f"{self.path}: cannot be written: {error.strerror}"
-            raise InputError(f"{reason}; the rows written so far are whole, and the same command goes on from them") from error
-        except BaseException:  # Ctrl-C between two parts of a line
-            os.ftruncate(self._file, before)
-            raise
-
-
-def _parse(data, path):
+def parse(data, path):
+    """Return the rows in the bytes of a results file; InputError, with its path, if they are not one."""
     whole = data[: data.rfind(b"\n") + 1]
     if not whole:
-        if _line(COLUMNS).startswith(data):
+        if line_of(COLUMNS).startswith(data):
             return []
-        raise InputError(f"{path}: not a campaign's results: the first line is not that of its columns")
+        raise InputError(f"{path}: not a campaign's results: its first line is cut off, or it is no such file")
     try:
         header, *lines = csv.reader(io.StringIO(whole.decode()))
     except (UnicodeDecodeError, csv.Error) as error:
@@ -165,13 +76,14 @@ def _check_header(header, path):
     raise InputError(f"{path}: columns of another version ({found}); keep this file and name a new one")
 
 
-def _line(values):
+def line_of(values):
+    """Return a line of the file as bytes."""
     text = io.StringIO()
     csv.writer(text, lineterminator="\n").writerow(values)
     return text.getvalue().encode()
 
 
-def _text(value):
+def text_of(value):
     """Return a value as it stands in the file: always one line, nothing for None, 60 for 60.0."""
     if isinstance(value, float) and value.is_integer():
         value = int(value)

@@ -1,5 +1,8 @@
 """Runs that need no solver: a script in the place of the worker, and campaigns with it in processes of their own."""
 
+import contextlib
+import resource
+import signal
 import subprocess
 import sys
 import time
@@ -46,13 +49,36 @@ def wait_until(holds, seconds=60):
         time.sleep(0.02)
 
 
-def children(process):
-    """Return the processes that a process has started, once there are some."""
+def children(process, number=1):
+    """Return the processes that do the runs of a campaign, once there are `number` of them."""
     parent = psutil.Process(process.pid)
-    wait_until(parent.children)
-    return parent.children(recursive=True)
+    wait_until(lambda: len(_workers(parent)) >= number)
+    return _workers(parent)
+
+
+def _workers(parent):
+    """A campaign starts git as well, for a moment."""
+    found = []
+    for child in parent.children():
+        with contextlib.suppress(psutil.Error):  # it may end while it is looked at
+            if child.cmdline()[1:2] == [FAKE_WORKER[1]]:
+                found.append(child)
+    return found
 
 
 def indices(path):
     """Return the instances that have a row, sorted."""
     return sorted(int(row["index"]) for row in read_rows(path))
+
+
+@contextlib.contextmanager
+def largest_file(size):
+    """As if the disk were full: no file may grow beyond `size` bytes, and a write that does is done in part."""
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    handler = signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, limits[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+        signal.signal(signal.SIGXFSZ, handler)

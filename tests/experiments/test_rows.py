@@ -1,16 +1,15 @@
 """The results file: whole lines or none, one row a run, and a clear word about every file that is not ours."""
 
 import json
-import resource
-import signal
 from dataclasses import asdict
 
 import pytest
-from experiments.fakes import fake_run, indices
+from experiments.fakes import fake_run, indices, largest_file
 
 from mamttsp import InputError, check, paper_instance, solve
 from mamttsp.experiments import read_rows, tours_of
-from mamttsp.experiments.rows import COLUMNS, Results
+from mamttsp.experiments.results import Results
+from mamttsp.experiments.rows import COLUMNS
 
 
 def _row(index, **fields):
@@ -87,16 +86,10 @@ def test_an_unwritable_path_is_one_clear_line(tmp_path, name):
 
 def test_a_full_disk_leaves_the_rows_as_they_were(path):
     before = path.read_bytes()
-    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
-    handler = signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
     with Results(path) as results:
-        resource.setrlimit(resource.RLIMIT_FSIZE, (len(before) + 20, limits[1]))  # room for a part of the next row
-        try:
-            with pytest.raises(InputError, match="cannot be written: File too large; the rows written so far are whole"):
-                results.append(_row(3))
-        finally:
-            resource.setrlimit(resource.RLIMIT_FSIZE, limits)
-            signal.signal(signal.SIGXFSZ, handler)
+        message = "cannot be written: File too large; the rows written so far are whole"
+        with largest_file(len(before) + 20), pytest.raises(InputError, match=message):
+            results.append(_row(3))
         assert path.read_bytes() == before
         results.append(_row(3))
     assert indices(path) == [0, 1, 2, 3]
