@@ -1,5 +1,6 @@
-"""Solve every setting of the paper by the exact method: 80 instances with {20, 40, 60} s windows and one agent, and with
-40 s windows and two to five agents. Rows are appended to a CSV file as runs finish; what has a row is not run again.
+"""Solve every setting of the paper by the exact method: 80 instances with {20, 40, 60} s windows and one agent, and
+with 40 s windows and two to five agents. Rows are appended to a CSV file as runs finish; what has a row is not run
+again.
 
     python benchmarks/exact.py --jobs 2                            all 560 settings, then the table
     python benchmarks/exact.py --sizes 5 10 --indices 0-1          a handful
@@ -41,7 +42,7 @@ COLUMNS = (*KEY, *ANSWER, "time_limit", "version", "machine")
 
 
 def warm_up():
-    """Load the compiled code, for one agent and for several. Ctrl-C is the parent's: it would end a run as a limit does."""
+    """Load the compiled code, for one agent and for several; leave Ctrl-C to the parent, or runs would end early."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     for n_agents in (1, 2):
         solve(generate(6, 40, n_agents))
@@ -54,8 +55,8 @@ def run(setting, time_limit):
     start = time.perf_counter()
     solution = solve(problem, time_limit=time_limit)
     runtime = time.perf_counter() - start
-    answer = (solution.status, solution.objective, solution.bound, solution.gap, round(runtime, 3), solution.nodes, memory())
-    return dict(zip(ANSWER, answer))
+    proved = solution.status, solution.objective, solution.bound, solution.gap
+    return dict(zip(ANSWER, (*proved, round(runtime, 3), solution.nodes, memory())))
 
 
 def memory():
@@ -82,7 +83,8 @@ def campaign(settings, path, jobs, time_limit):
     """Run the settings that have no row yet, and append a row for each as it finishes."""
     done = {tuple(int(row[name]) for name in KEY) for row in read(path)}
     left = [setting for setting in settings if setting not in done]
-    about = {"time_limit": time_limit, "version": version(), "machine": f"{processor()}, {os.cpu_count()} cores, {jobs} jobs"}
+    machine = f"{processor()}, {os.cpu_count()} cores, {jobs} jobs"
+    about = {"time_limit": time_limit, "version": version(), "machine": machine}
     worker, fresh = Worker(), not path.exists()
     with path.open("a", newline="", encoding="utf-8") as file, ThreadPoolExecutor(jobs) as threads:
         rows = csv.DictWriter(file, COLUMNS)
@@ -102,7 +104,8 @@ def campaign(settings, path, jobs, time_limit):
 
 def version():
     """Return the package's version, and the commit where there is one."""
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=Path(__file__).parent, capture_output=True, text=True)
+    command, here = ["git", "rev-parse", "--short", "HEAD"], Path(__file__).parent
+    commit = subprocess.run(command, cwd=here, capture_output=True, text=True)
     return "+".join(filter(None, (metadata.version("mamttsp"), commit.stdout.strip())))
 
 
@@ -122,7 +125,7 @@ def table(rows):
     for row in rows:
         groups.setdefault(tuple(int(row[name]) for name in ("n", "total_window", "agents")), []).append(row)
     for (n, window, agents), group in sorted(groups.items()):
-        times, gaps, sizes = ([float(row[name]) for row in group if row[name]] for name in ("runtime_s", "gap", "memory_mb"))
+        times, gaps, sizes = (numbers(group, name) for name in ("runtime_s", "gap", "memory_mb"))
         certified = sum(row["status"] == "optimal" for row in group)
         median, slowest = (f"{of(times):.2f}" if times else "-" for of in (statistics.median, max))
         gap = f"{100 * max(gaps):.3f}" if len(gaps) == len(group) else "-"
@@ -130,12 +133,18 @@ def table(rows):
         yield f"| {n} | {window} | {agents} | {len(group)} | {certified} | {median} | {slowest} | {gap} | {size} |"
 
 
+def numbers(rows, name):
+    """Return the numbers of a column, without the runs that have none."""
+    return [float(row[name]) for row in rows if row[name]]
+
+
 def first_solves():
     """Yield lines: the first and second solve of a new process, without and with the compiled code on disk."""
     with tempfile.TemporaryDirectory() as cache:
         for label in ("nothing compiled", "new process, compiled"):
             environment = os.environ | {"NUMBA_CACHE_DIR": cache}
-            answer = subprocess.run([sys.executable, __file__, "--two"], env=environment, capture_output=True, text=True, check=True)
+            command = [sys.executable, __file__, "--two"]
+            answer = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
             yield f"{label}: {answer.stdout.strip()}"
 
 
@@ -156,7 +165,7 @@ def _indices(text):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--sizes", type=int, nargs="+", default=PAPER_SIZES, choices=PAPER_SIZES, help="numbers of targets")
+    parser.add_argument("--sizes", type=int, nargs="+", default=PAPER_SIZES, choices=PAPER_SIZES, help="targets")
     parser.add_argument("--indices", type=_indices, default=PAPER_INDICES, help="instances of each size, e.g. 0-4")
     parser.add_argument("--time-limit", type=float, default=300.0, help="seconds for each run")
     parser.add_argument("--jobs", type=int, default=1, help="runs at the same time")

@@ -1,4 +1,4 @@
-"""A longer window or another agent never raises the optimum, so no bound may pass an objective of the poorer instance."""
+"""Longer windows or another agent never raise the optimum: no bound passes an objective of the poorer instance."""
 
 import pytest
 

@@ -7,6 +7,7 @@ from exact.enumeration import optimum
 from mamttsp import generate, solve
 
 SMALL = [(n, w, m, seed) for n, seed in ((5, 20), (6, 21), (7, 22), (7, 23)) for w in (20, 40, 60) for m in (1, 2, 3)]
+TIGHT = [(5, 40, 2, 1), (6, 60, 1, 2), (7, 20, 3, 3), (8, 40, 1, 4), (9, 40, 2, 5)]
 LARGER = [(8, 20, 3, 1), (9, 60, 1, 2), (10, 40, 2, 3), (10, 20, 1, 4)]
 MANY = [(n, w, m, seed) for n in (6, 7, 8, 9, 10) for w in (20, 40, 60) for m in (1, 2, 3) for seed in range(5)]
 #: small windows, where the branch and bound closes within seconds
@@ -20,7 +21,7 @@ def test_the_optimum_is_that_of_enumeration(n, window, m, seed):
     assert_certified(problem, optimum(problem))
 
 
-@pytest.mark.parametrize("n, window, m, seed", [(5, 40, 2, 1), (6, 60, 1, 2), (7, 20, 3, 3), (8, 40, 1, 4), (9, 40, 2, 5)])
+@pytest.mark.parametrize("n, window, m, seed", TIGHT)
 def test_a_gap_of_a_millionth_is_proved(n, window, m, seed):
     problem = generate(n, window, m, seed)
     assert_certified(problem, optimum(problem), gap=1e-6)

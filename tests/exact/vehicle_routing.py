@@ -1,4 +1,4 @@
-"""Stationary targets with one window each are a vehicle routing problem, which PyVRP solves by a heuristic in whole numbers.
+"""Stationary targets with one window each are a vehicle routing problem, solved by PyVRP in whole numbers.
 
 Every flying time is rounded up and every window inward, so what PyVRP finds can be flown; its tours are then measured
 in floating point by `check`, and its own rounded lengths are used for nothing.
@@ -20,7 +20,7 @@ SIDE, MAX_SPEED = 100.0, 4.0
 def customers(n, n_agents, window, seed, horizon=150.0):
     """Return an instance of n stationary targets in the paper's square, with windows that hold a division into tours.
 
-    Targets are dealt out to the agents at random and flown to in the order of their angles; each window contains its visit.
+    Targets are dealt out at random and flown to in the order of their angles; each window contains its visit.
     """
     rng = np.random.default_rng([n, n_agents, seed])
     places = rng.uniform(-SIDE / 2, SIDE / 2, (n, 2)).round(3)
@@ -52,7 +52,9 @@ def pyvrp_length(instance, seconds, seed=0):
             length = float(np.linalg.norm(places[i] - places[j]))
             model.add_edge(tail, head, round(length * _UNIT), math.ceil(length / instance.max_speed * _UNIT))
     best = model.solve(MaxRuntime(seconds), seed=seed, display=False).best
-    return check(instance, [_tour(instance, _clients(route)) for route in best.routes()]) if best.is_feasible() else math.inf
+    if not best.is_feasible():
+        return math.inf
+    return check(instance, [_tour(instance, _clients(route)) for route in best.routes()])
 
 
 def _clients(route):
