@@ -223,3 +223,21 @@ def _node_places(graph):
         nodes = graph.C(u)
         places[nodes] = np.c_[np.full(len(nodes), u + 1.0), np.arange(len(nodes)) - (len(nodes) - 1) / 2]
     return places
+
+
+def descent_view(runs, optimum, ax=None):
+    """Draw where a local method started and where it stopped, one column a run, and return the axes.
+
+    runs: list of lists of lengths (units), from the first to the last; optimum: the proved optimum.
+    """
+    ax = ax or plt.figure(figsize=(7, 4), layout="constrained").add_subplot()
+    runs = sorted(runs, key=lambda lengths: (round(lengths[-1], 6), lengths[0]))
+    starts, ends = ([lengths[k] for lengths in runs] for k in (0, -1))
+    number = range(1, len(runs) + 1)
+    ax.vlines(number, ends, starts, color="0.75", zorder=1)
+    ax.plot(number, starts, "o", color=COLOURS[5], label="start")
+    ax.plot(number, ends, "s", color=COLOURS[1], label="stop")
+    ax.axhline(optimum, color="black", linestyle="--", linewidth=1.0, label="proved optimum")
+    ax.set(xlabel="start (a flyable route each)", ylabel="length (units)")
+    ax.legend(loc="upper left", frameon=False)
+    return ax

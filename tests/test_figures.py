@@ -7,7 +7,7 @@ from matplotlib.colors import to_hex
 from examples import instance, moving, still
 
 from mamttsp import Tour, Visit, build_graph
-from mamttsp.figures import COLOURS, LINES, MARKERS, charge_view, graph_view, perspective_view, plan_view
+from mamttsp.figures import COLOURS, LINES, MARKERS, charge_view, descent_view, graph_view, perspective_view, plan_view
 from mamttsp.figures import reach_view, save, sizes_view, space_time_view
 
 INSTANCE = instance(moving((10, 0), (0, 0.2), [(5, 15), (30, 50)]), still(0, 20, [(0, 60)]), n_agents=3)
@@ -131,3 +131,10 @@ def test_the_graph_has_a_circle_for_each_node_and_an_arrow_for_each_edge():
     assert len(arrows) == len(graph.edges) and len(ax.lines) == len(graph.tau)
     assert sum(to_hex(arrow.get_edgecolor()).upper() == COLOURS[0] for arrow in arrows) == 3
     assert [text.get_text() for text in ax.texts if text.get_text()] == ["s", "1", "2", "3", "s'", "target 0", "target 1"]
+
+
+def test_a_descent_joins_its_start_and_its_stop():
+    ax = descent_view([[30.0, 20.0], [15.0], [40.0, 25.0, 12.0]], optimum=11.0)
+    start, stop, optimum = ax.lines
+    assert list(start.get_ydata()) == [40, 15, 30] and list(stop.get_ydata()) == [12, 15, 20]
+    assert set(optimum.get_ydata()) == {11.0}
