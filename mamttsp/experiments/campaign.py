@@ -65,15 +65,16 @@ def _rows(runs, results, about, jobs, memory_limit, command, bar):
         yield from filter(None, finished)
     finally:
         stop.set()
-        with warnings.catch_warnings(action="ignore", category=UserWarning):  # joblib's, of runs ended before their time
+        with warnings.catch_warnings(action="ignore", category=UserWarning):  # joblib's, of runs that were ended
             finished.close()
+        running.wait_for_none()
 
 
 class _Running:
-    """Shows beside the bar how many runs are running: a context manager around each."""
+    """Counts the runs in flight and shows their number beside the bar: a context manager around each."""
 
     def __init__(self, bar):
-        self._bar, self._count, self._mutex = bar, 0, threading.Lock()
+        self._bar, self._count, self._changed = bar, 0, threading.Condition()
 
     def __enter__(self):
         self._add(1)
@@ -81,7 +82,13 @@ class _Running:
     def __exit__(self, *exception):
         self._add(-1)
 
+    def wait_for_none(self):
+        """Wait until the runs in flight are ended: at the program's end their threads would leave them behind."""
+        with self._changed:
+            self._changed.wait_for(lambda: self._count == 0)
+
     def _add(self, change):
-        with self._mutex:
+        with self._changed:
             self._count += change
+            self._changed.notify_all()
             self._bar.set_postfix_str(f"{self._count} running")

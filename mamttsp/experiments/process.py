@@ -43,7 +43,7 @@ def _start(run, command, out, err):
     where = {"stdout": out, "stderr": err, "env": os.environ | _ONE_THREAD, "start_new_session": True}
     process = subprocess.Popen(command, stdin=subprocess.PIPE, **where)
     with contextlib.suppress(BrokenPipeError):  # it died already, and its exit status tells
-        process.stdin.write(json.dumps(dataclasses.asdict(run)).encode())
+        process.stdin.write(json.dumps(dataclasses.asdict(run) | {"campaign": os.getpid()}).encode())
         process.stdin.close()
     return process
 

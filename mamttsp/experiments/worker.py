@@ -1,4 +1,4 @@
-"""The process of one run: a Run as JSON on standard input, its answer as JSON on standard output."""
+"""The process of one run: a Run and the campaign's process id in, its answer out, both JSON."""
 
 import ctypes
 import json
@@ -18,10 +18,11 @@ GAP, THREADS, SEED = 1e-4, 1, 0
 
 def main():
     """Answer one run. What a solver prints goes to standard error, and an exception is an answer too."""
-    _die_with_parent()
+    given = json.load(sys.stdin)
+    _die_with(given.pop("campaign"))
     answers = os.fdopen(os.dup(sys.stdout.fileno()), "w")
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
-    run = Run(**json.load(sys.stdin))
+    run = Run(**given)
     try:
         answer = measure(run)
     except Exception as error:
@@ -76,11 +77,13 @@ def _sizes(run, instance):
     return sizes | closed_form(run.method, run.n, run.agents, **sizes)._asdict()
 
 
-def _die_with_parent():
+def _die_with(campaign):
     """A campaign that is killed takes its runs with it on Linux; elsewhere they end at their time limit."""
     if sys.platform == "linux":
         set_parent_death_signal = 1
         ctypes.CDLL(None).prctl(set_parent_death_signal, signal.SIGKILL)
+    if os.getppid() != campaign:  # it was killed before this process came so far
+        sys.exit("the campaign is gone")
 
 
 if __name__ == "__main__":

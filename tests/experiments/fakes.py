@@ -11,6 +11,7 @@ from pathlib import Path
 import psutil
 
 from mamttsp.experiments import Run, read_rows
+from mamttsp.experiments.process import WORKER
 
 FAKE_WORKER = (sys.executable, str(Path(__file__).with_name("fake_worker.py")))
 #: a campaign on runs 0 to N-1, which the script does in S seconds each
@@ -32,7 +33,8 @@ def fake_run(index, time_limit=0.01):
 def start_campaign(path, number, seconds, command=FAKE_WORKER):
     """Start a campaign on `number` fake runs of `seconds` each in a process of its own."""
     arguments = [sys.executable, "-c", _CAMPAIGN, str(path), str(number), str(seconds), *command]
-    return subprocess.Popen(arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    return subprocess.Popen(arguments, **pipes, start_new_session=True)
 
 
 def wait_for_rows(path, number, process, seconds=60):
@@ -61,7 +63,7 @@ def _workers(parent):
     found = []
     for child in parent.children():
         with contextlib.suppress(psutil.Error):  # it may end while it is looked at
-            if child.cmdline()[1:2] == [FAKE_WORKER[1]]:
+            if child.cmdline()[1:2] == [FAKE_WORKER[1]] or child.cmdline()[1:] == list(WORKER[1:]):
                 found.append(child)
     return found
 
