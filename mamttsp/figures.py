@@ -1,4 +1,4 @@
-"""Drawings of tours: from above, as in the paper's Fig. 1, and in space-time."""
+"""Drawings: tours from above, as in the paper's Fig. 1, and in space-time; and the ideas behind the formulations."""
 
 import itertools
 
@@ -12,7 +12,8 @@ MARKERS = ("o", "s", "^", "D", "v")
 PATH = {"color": "0.65", "linewidth": 1.0, "zorder": 1}
 WINDOW = {"color": "#F5C45E", "linewidth": 5.0, "solid_capstyle": "butt", "zorder": 2}
 DEPOT = {"color": "black", "marker": "*", "markersize": 14, "linestyle": "none", "zorder": 6}
-LABEL = {"fontsize": 9, "ha": "center", "va": "center", "zorder": 7, "bbox": {"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.7}}
+_BOX = {"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.7}
+LABEL = {"fontsize": 9, "ha": "center", "va": "center", "zorder": 7, "bbox": _BOX}
 
 
 def plan_view(instance, tours=(), ax=None):
@@ -64,7 +65,7 @@ def space_time_view(instance, tours=(), ax=None):
 
 
 def save(ax, path):
-    """Write the figure that holds `ax` to path.pdf, to print, and path.png, to look at; the same drawing, the same bytes."""
+    """Write the figure that holds `ax` to path.pdf, to print, and path.png, to look at; each time the same bytes."""
     ax.figure.savefig(f"{path}.pdf", metadata={"CreationDate": None})
     ax.figure.savefig(f"{path}.png", dpi=150)
 
@@ -72,7 +73,8 @@ def save(ax, path):
 def _targets(instance):
     """Yield (number, path, parts of it inside windows) for each target; both as rows (x, y, t)."""
     for u, target in enumerate(instance.targets):
-        yield u, _stretch(target, target.times[0], target.times[-1]), [_stretch(target, *window) for window in target.windows]
+        windows = [_stretch(target, *window) for window in target.windows]
+        yield u, _stretch(target, target.times[0], target.times[-1]), windows
 
 
 def _stretch(target, start, end):
@@ -99,7 +101,7 @@ def _visits(tours):
 
 
 def _placed(visits, size):
-    """Yield (visit, direction of its label), each label where it is farthest from the others and from the other visits."""
+    """Yield (visit, direction of its label), each label where it is farthest from other labels and visits."""
     directions = [np.array([np.cos(angle), np.sin(angle)]) for angle in np.pi / 4 * np.arange(1, 9)]
     taken = [np.asarray(visit.position) for visit in visits]
     for k, visit in enumerate(visits):
@@ -119,13 +121,14 @@ def _once(k, label):
 def charge_view(distance, size, ax=None):
     """Draw what a fraction of an edge costs in either convex program, against its flow y, and return the axes.
 
-    distance: of the edge's ends, in units; size: R, the big-M. The baseline's (8)-(10) ask for l >= distance - R (1 - y),
-    the perspectives (25), (26), (28), (29) for l >= y distance, ends held where they are.
+    distance: of the edge's ends, in units; size: R, the big-M. The baseline's (8)-(10) ask for
+    l >= distance - R (1 - y), the perspectives (25), (26), (28), (29) for l >= y distance, ends held where they are.
     """
     ax = ax or plt.figure(figsize=(6, 4), layout="constrained").add_subplot()
     free = max(0.0, 1.0 - distance / size)
     ax.plot([0.0, 1.0], [0.0, distance], color=COLOURS[0], label="perspective: y d")
-    ax.plot([0.0, free, 1.0], [0.0, 0.0, distance], color=COLOURS[1], linestyle="--", label="big-M: max(0, d - R (1 - y))")
+    big_m = {"color": COLOURS[1], "linestyle": "--", "label": "big-M: max(0, d - R (1 - y))"}
+    ax.plot([0.0, free, 1.0], [0.0, 0.0, distance], **big_m)
     ax.plot([0.0, 1.0], [0.0, distance], "o", color="black", label="what a whole y costs")
     ax.set(xlabel="flow y on the edge", ylabel="least length l (units)")
     ax.legend(loc="upper left", frameon=False)
@@ -199,7 +202,9 @@ def graph_view(graph, route=(), ax=None):
     places = _node_places(graph)
     flown = set(itertools.pairwise([graph.s, *route, graph.s_prime])) if route else set()
     for edge in map(tuple, graph.edges.tolist()):
-        style = {"color": COLOURS[0], "linewidth": 2.2, "zorder": 3} if edge in flown else {"color": "0.75", "zorder": 1}
+        style = {"color": "0.75", "zorder": 1}
+        if edge in flown:
+            style = {"color": COLOURS[0], "linewidth": 2.2, "zorder": 3}
         arrow = {"arrowstyle": "-|>", "connectionstyle": "arc3,rad=0.12", "shrinkA": 11, "shrinkB": 11, **style}
         ax.annotate("", places[edge[1]], places[edge[0]], arrowprops=arrow, zorder=style["zorder"])
     for i, place in enumerate(places):

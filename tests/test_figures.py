@@ -3,12 +3,24 @@
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
-from matplotlib.colors import to_hex
 from examples import instance, moving, still
+from matplotlib.colors import to_hex
 
 from mamttsp import Tour, Visit, build_graph
-from mamttsp.figures import COLOURS, LINES, MARKERS, charge_view, descent_view, graph_view, perspective_view, plan_view
-from mamttsp.figures import reach_view, save, sizes_view, space_time_view
+from mamttsp.figures import (
+    COLOURS,
+    LINES,
+    MARKERS,
+    charge_view,
+    descent_view,
+    graph_view,
+    perspective_view,
+    plan_view,
+    reach_view,
+    save,
+    sizes_view,
+    space_time_view,
+)
 
 INSTANCE = instance(moving((10, 0), (0, 0.2), [(5, 15), (30, 50)]), still(0, 20, [(0, 60)]), n_agents=3)
 TOURS = [Tour((Visit(0, 10.0, (10.0, 2.0)), Visit(1, 20.0, (0.0, 20.0))), 30.0)]
@@ -51,7 +63,8 @@ def test_it_draws_on_the_axes_it_is_given(view, projection):
 
 def test_the_plan_shows_windows_and_tours_where_they_are():
     ax = plan_view(INSTANCE, TOURS)
-    assert [line.tolist() for line in _lines(ax, "#F5C45E")] == [[[10, 1], [10, 3]], [[10, 6], [10, 10]], [[0, 20], [0, 20]]]
+    windows = [line.tolist() for line in _lines(ax, "#F5C45E")]
+    assert windows == [[[10, 1], [10, 3]], [[10, 6], [10, 10]], [[0, 20], [0, 20]]]
     assert _lines(ax, COLOURS[0])[0].tolist() == [[0, 0], [10, 2], [0, 20], [0, 0]]
     labels = {text.get_text(): text.xy for text in ax.texts if text.get_text()}
     assert labels == {"0": (10.0, 2.0), "1": (0.0, 20.0)}
@@ -130,7 +143,8 @@ def test_the_graph_has_a_circle_for_each_node_and_an_arrow_for_each_edge():
     arrows = [text.arrow_patch for text in ax.texts if getattr(text, "arrow_patch", None)]
     assert len(arrows) == len(graph.edges) and len(ax.lines) == len(graph.tau)
     assert sum(to_hex(arrow.get_edgecolor()).upper() == COLOURS[0] for arrow in arrows) == 3
-    assert [text.get_text() for text in ax.texts if text.get_text()] == ["s", "1", "2", "3", "s'", "target 0", "target 1"]
+    names = [text.get_text() for text in ax.texts if text.get_text()]
+    assert names == ["s", "1", "2", "3", "s'", "target 0", "target 1"]
 
 
 def test_a_descent_joins_its_start_and_its_stop():

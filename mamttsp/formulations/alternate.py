@@ -32,7 +32,7 @@ def alternate(graph, route):
 
 
 def best_route(graph, t):
-    """Return the shortest route of one agent that meets each segment it visits at its time t (|V|,); None if none is."""
+    """Return the shortest route of one agent that meets segments at their times t (|V|,) only; None if none is."""
     i, j = graph.edges.T
     p = graph.p_lo + (t - graph.t_lo)[:, None] * graph.v
     p[graph.s_prime] = p[graph.s]
@@ -41,7 +41,8 @@ def best_route(graph, t):
     V_seg = np.array(graph.V_seg)[:, None]
     entered = np.array([graph.tau[j] == u for u in range(graph.n_targets)], dtype=float)  # (4)
     balance = (j == V_seg).astype(float) - (i == V_seg)  # (5)
-    rows = [LinearConstraint((i == graph.s).astype(float), 0, 1), LinearConstraint(entered, 1, 1), LinearConstraint(balance, 0, 0)]
+    leaving = (i == graph.s).astype(float)  # (2)
+    rows = [LinearConstraint(leaving, 0, 1), LinearConstraint(entered, 1, 1), LinearConstraint(balance, 0, 0)]
     found = milp(d, integrality=np.ones(len(d)), bounds=(0, in_time.astype(float)), constraints=rows)
     if found.x is None:
         return None

@@ -1,4 +1,4 @@
-"""The code of one family of equations, as it stands in the library: for notebooks, which show it and never retype it."""
+"""The code of one family of equations, as it stands in the library: notebooks show it and never retype it."""
 
 import ast
 import importlib
@@ -20,9 +20,10 @@ def source(method, *families):
     own = importlib.import_module(f".{method}", __package__)
     # Where a formulation does not state a family itself, it shares it with others (eqs (2)-(6)).
     stated = _components(network) | _components(own)
+    known = ("length", *EQUATIONS[method])
     for family in families:
-        if family not in stated or family not in (*EQUATIONS[method], "length"):
-            raise InputError(f"families: expected length, {', '.join(EQUATIONS[method])} for {method}, found {family!r}")
+        if family not in known:
+            raise InputError(f"families: expected one of {', '.join(known)} for {method}, found {family!r}")
     return "\n\n".join(stated[family] for family in families)
 
 

@@ -33,7 +33,10 @@ def test_a_family_of_the_formulation_itself_comes_before_the_shared_one():
     assert '"(22) ' in source("micp", "flow_conservation")
 
 
-@pytest.mark.parametrize("method, family", [("exact", "speed"), ("micp", "big_m"), ("micp", "depot_flow_out"), ("baseline", "nothing")])
+UNKNOWN = [("exact", "speed"), ("micp", "big_m"), ("micp", "depot_flow_out"), ("baseline", "nothing")]
+
+
+@pytest.mark.parametrize("method, family", UNKNOWN)
 def test_an_unknown_name_is_refused(method, family):
     with pytest.raises(InputError, match="expected"):
         source(method, family)
