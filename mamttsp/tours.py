@@ -156,14 +156,22 @@ def best_times(graph, route):
     times: (len(route),) visit times in s. The times come from an SOCP (Clarabel) and are then nudged forward onto
     times that can be flown exactly, so `length` is the length of a real tour, within about 1e-8 of the optimum.
     """
+    found = bounded_times(graph, route)
+    return None if found is None else found[:2]
+
+
+def bounded_times(graph, route):
+    """Return (length, times, bound): as `best_times`, with the SOCP's dual bound on every tour of this order.
+
+    The bound holds whatever the accuracy of Clarabel's answer.
+    """
     earliest = earliest_times(graph, route)
     if earliest is None:
         return None
-    candidates = [earliest]
-    solved = _solve_times(graph, route)
-    if solved is not None:
-        candidates.append(_flyable_times(graph, route, solved))
-    return min(((_length(graph, route, times), times) for times in candidates), key=lambda found: found[0])
+    solved, bound = _solve_times(graph, route)
+    candidates = [earliest] if solved is None else [earliest, _flyable_times(graph, route, solved)]
+    length, times = min(((_length(graph, route, times), times) for times in candidates), key=lambda found: found[0])
+    return length, times, min(bound, length)
 
 
 def best_tours(graph, routes):
@@ -220,7 +228,7 @@ def _latest_times(graph, route):
 
 
 def _solve_times(graph, route):
-    """Return the optimal visit times of a fixed order, or None if Clarabel does not answer.
+    """Return (times, bound): the optimal visit times of a fixed order, None if Clarabel does not answer, and the dual bound.
 
     Unknowns: times t_1..t_K and leg lengths l_0..l_K, in the units T and R of the instance so that the data are near one.
     Rows A x + s = b: windows; l_k <= v_max * (t_k+1 - t_k); ||p_k+1(t_k+1) - p_k(t_k)|| <= l_k as second-order cones.
@@ -253,6 +261,21 @@ def _solve_times(graph, route):
     cost = np.r_[np.zeros(K), np.ones(K + 1)]
     P = sparse.csc_matrix((2 * K + 1, 2 * K + 1))
     answer = clarabel.DefaultSolver(P, cost, A, b, cones, settings).solve()
-    if answer.status not in (clarabel.SolverStatus.Solved, clarabel.SolverStatus.AlmostSolved):
-        return None
-    return np.array(answer.x[:K]) * T
+    bounds = np.c_[np.r_[graph.t_lo[route] / T, np.zeros(K + 1)], np.r_[graph.t_hi[route] / T, np.full(K + 1, speed)]]
+    bound = _dual_bound(np.array(answer.z), 3 * K + 1, cost, A, b, bounds) * R
+    solved = answer.status in (clarabel.SolverStatus.Solved, clarabel.SolverStatus.AlmostSolved)
+    return np.array(answer.x[:K]) * T if solved else None, bound
+
+
+def _dual_bound(z, split, cost, A, b, bounds):
+    """Return a lower bound on cost @ x subject to A x + s = b, s in the cones, from any z: it is moved into the dual cones
+    (nonnegative rows up to `split`, then cones of three),
+    and what its residual could cost within the variables' bounds (K, 2) is taken off. -infinity if z is not finite.
+    """
+    if not np.isfinite(z).all():
+        return -math.inf
+    cones = z[split:].reshape(-1, 3)
+    cones[:, 0] = np.maximum(cones[:, 0], np.hypot(cones[:, 1], cones[:, 2]))
+    z[:split] = np.maximum(z[:split], 0.0)
+    residual = cost + A.T @ z
+    return float(-b @ z + np.minimum(residual * bounds[:, 0], residual * bounds[:, 1]).sum())

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from ..tours import best_times, to_tour
+from ..tours import bounded_times, to_tour
 from .partition import choose
 
 #: how many routes of a forest are timed exactly in search of better tours
@@ -22,15 +22,15 @@ class Incumbent:
         self._timed = {}
 
     def timed(self, route):
-        """Return (length, times) of a route of segments, or None if it cannot be flown."""
+        """Return (length, times, bound) of a route of segments, see `bounded_times`, or None if it cannot be flown."""
         if route not in self._timed:
-            self._timed[route] = best_times(self.graph, list(route))
+            self._timed[route] = bounded_times(self.graph, list(route))
         return self._timed[route]
 
     def offer(self, routes):
         """Take the routes if all can be flown and they are shorter than the incumbent."""
         found = [self.timed(route) for route in routes]
-        if all(found) and (total := sum(length for length, _ in found)) < self.objective:
+        if all(found) and (total := sum(length for length, _, _ in found)) < self.objective:
             self.objective, self.routes = total, tuple(routes)
 
     def improve(self, forest, candidates, favourites=()):

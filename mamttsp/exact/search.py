@@ -33,7 +33,7 @@ _FEW_LABELS, _MOST_LABELS = 500_000, 8_000_000
 #: iterations of ruin and recreate between two looks at the clock
 _STEP = 500
 _FEW_SETS = 800
-_FEW_SEQUENCES = 400
+_FEW_SEQUENCES = 1500
 #: pieces that a round may have: the table of their legs grows with the square
 _MOST_PIECES = 2000
 #: every bound is lowered by this share, far above the rounding errors of the sums it comes from
@@ -111,7 +111,7 @@ class Search:
         steps = max(1, 200 * self.n // _STEP)
         for step in range(steps):
             if self.clock.out():
-                return
+                break
             if routes := annealing.run(_STEP, 1.0 - step / steps, 1.0 - (step + 1) / steps):
                 self.incumbent.offer(routes)
         self.report("heuristic")
@@ -176,10 +176,12 @@ class Search:
         sequences = forest.sequences(leads, _FEW_SEQUENCES)
         if sequences is None:
             return
-        limit = self.limit
+        bounds = [self.limit]
         for route in sequences:
             self.incumbent.offer([route])
-        self.raise_bound(min(limit, self.upper))
+            if found := self.incumbent.timed(route):
+                bounds.append(found[2])
+        self.raise_bound(min(bounds))
         self.report("sequences")
 
     def settle(self, sets):
