@@ -36,10 +36,12 @@ _FEW_SETS = 800
 _FEW_SEQUENCES = 1500
 #: pieces that a round may have: the table of their legs grows with the square
 _MOST_PIECES = 2000
+#: least length of a piece, as a share of the horizon
+_THINNEST = 1e-8
 #: every bound is lowered by this share, far above the rounding errors of the sums it comes from
 _SAFETY = 1e-9
 #: lengths below this share of the area's size count as nothing, for optima of 0
-_NEGLIGIBLE = 1e-9
+_NEGLIGIBLE = 1e-8
 #: label extensions per second, an underestimate, to stop in time
 _RATE = 2e7
 
@@ -55,7 +57,7 @@ class Search:
         self.graph, self.targets, self.n, self.m = graph, list(targets), len(targets), min(n_agents, len(targets))
         self.gap, self.clock, self.progress, self.cutoff, self.annealing = gap, clock, progress, cutoff, annealing
         self.incumbent = Incumbent(graph, self.m)
-        self.bound, self.labels = 0.0, 0
+        self.bound, self.labels, self.exhausted = 0.0, 0, False
         self.negligible = _NEGLIGIBLE * graph.size
         self.pi, self.most, self.beam = np.zeros(self.n), _FEW_LABELS, _BEAM
         self.enumerated, self.memory = False, _MEMORY
@@ -96,7 +98,7 @@ class Search:
             self.progress(Progress(self.clock.spent, objective, self.bound, gap, self.labels, phase))
 
     def over(self):
-        return self.closed() or self.clock.out()
+        return self.closed() or self.exhausted or self.clock.out()
 
     # -- the run
 
@@ -182,6 +184,7 @@ class Search:
             if found := self.incumbent.timed(route):
                 bounds.append(found[2])
         self.raise_bound(min(bounds))
+        self.exhausted = True  # what is left of the gap is the accuracy of the time SOCPs
         self.report("sequences")
 
     def settle(self, sets):
@@ -220,6 +223,9 @@ class Search:
     def refine(self):
         """Cut the pieces still in use into shorter parts, with the incumbent's visit times in the middle of theirs."""
         self.width /= 3.0 if self.enumerated else 2.0
+        if self.width < _THINNEST * self.graph.horizon:  # thinner pieces drown in rounding errors
+            self.exhausted = True
+            return
         segment, a, b = self.cut
         used = self.after.any(axis=0)
         self.width = max(self.width, (b - a)[used].sum() / (_MOST_PIECES - used.sum()))
