@@ -11,7 +11,7 @@ from exact.enumeration import optimum
 from mamttsp import generate, paper_instance, solve
 
 LIMITS = (0.1, 0.5, 2.0)
-SPREAD = [(10, 60, 3), (15, 20, 1), (15, 40, 2), (15, 60, 1), (20, 20, 5), (20, 40, 1), (20, 40, 3), (20, 60, 2)]
+SPREAD = [(10, 60, 3), (15, 40, 2), (15, 60, 1), (20, 20, 5), (20, 40, 1), (20, 60, 2)]
 SETTINGS = [(n, w, m, index) for n in (10, 15, 20) for w in (20, 40, 60) for m in (1, 2, 3, 5) for index in (1, 2)]
 
 

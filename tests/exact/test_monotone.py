@@ -4,7 +4,7 @@ import pytest
 
 from mamttsp import paper_instance, solve
 
-INSTANCES = [(5, 0), (5, 1), (5, 7), (10, 0), (10, 5)]
+INSTANCES = [(5, 0), (5, 1), (5, 7), (10, 5)]
 MANY = [(n, index) for n in (5, 10, 15, 20) for index in range(20)]
 GAP = 1e-4
 
