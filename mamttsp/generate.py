@@ -81,7 +81,8 @@ def _check_target_speed(target_speed, max_speed):
     slowest, fastest = array("target_speed", target_speed, (2,))
     if not 0 <= slowest <= fastest < max_speed:
         raise InputError(
-            f"target_speed: expected 0 <= slowest <= fastest < max_speed {max_speed:g}, found ({slowest:g}, {fastest:g})"
+            f"target_speed: expected 0 <= slowest <= fastest < max_speed {max_speed:g}, "
+            f"found ({slowest:g}, {fastest:g})"
         )
 
 
@@ -103,7 +104,9 @@ def _next_point(rng, point, step, side):
     From anywhere in the square some corner is at least 0.7 side away, so a step of up to 0.65 side always has room.
     """
     if step > 0.65 * side:
-        raise InputError(f"n_pieces: a straight piece of {step:g} units may not fit the square of side {side:g}; use more pieces")
+        raise InputError(
+            f"n_pieces: a straight piece of {step:g} units may not fit the square of side {side:g}; use more pieces"
+        )
     while True:
         heading = rng.uniform(0.0, 2 * np.pi)
         candidate = point + step * np.array([np.cos(heading), np.sin(heading)])
@@ -121,7 +124,8 @@ def _random_tour(rng, paths, horizon, max_speed, max_tries):
         if found:
             return visits
     raise InputError(
-        f"horizon: none of {max_tries} random orders of {len(paths)} targets can be flown by one agent in {horizon:g} s; "
+        f"horizon: none of {max_tries} random orders of {len(paths)} targets "
+        f"can be flown by one agent in {horizon:g} s; "
         "raise the horizon, or have fewer targets"
     )
 

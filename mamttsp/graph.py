@@ -11,8 +11,8 @@ from .motion import TIME_SLACK
 class Graph:
     """Nodes 0 = s, 1..|V_seg| = segments (ordered by target, then time), |V_seg| + 1 = s'; edges as index pairs.
 
-    t_lo, t_hi: (|V|,) start and end time of each node in s; p_lo, p_hi: (|V|, 2) positions there; v: (|V|, 2) velocities.
-    tau: (|V|,) the target of each segment, -1 for s and s'. edges: (|E|, 2) pairs (i, j).
+    t_lo, t_hi: (|V|,) start and end time of each node in s; p_lo, p_hi: (|V|, 2) positions there; v: (|V|, 2)
+    velocities. tau: (|V|,) the target of each segment, -1 for s and s'. edges: (|E|, 2) pairs (i, j).
     max_speed: v_max; horizon: T; size: R, the diagonal of the area.
     """
 

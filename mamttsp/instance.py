@@ -145,10 +145,12 @@ def _check_windows(times, windows):
         if end < start:
             raise InputError(f"windows[{w}]: ends at {end:g} before it starts at {start:g}; give (start, end)")
         if w and start < windows[w - 1, 1]:
-            raise InputError(f"windows[{w}]: starts at {start:g} before the one before it ends at {windows[w - 1, 1]:g}")
+            before = windows[w - 1, 1]
+            raise InputError(f"windows[{w}]: starts at {start:g} before the one before it ends at {before:g}")
         if start < times[0] or end > times[-1]:
             raise InputError(
-                f"windows[{w}]: ({start:g}, {end:g}) is not covered by the path, known from {times[0]:g} to {times[-1]:g}"
+                f"windows[{w}]: ({start:g}, {end:g}) is not covered by the path, "
+                f"known from {times[0]:g} to {times[-1]:g}"
             )
 
 
@@ -162,5 +164,6 @@ def _check_targets(instance):
             raise InputError(f"targets[{u}].windows: expected times from 0 to the horizon {instance.horizon:g}")
         if (fastest := target.speeds.max()) >= instance.max_speed:
             raise InputError(
-                f"targets[{u}].points: speed {fastest:g} is not below max_speed {instance.max_speed:g}; agents must be faster"
+                f"targets[{u}].points: speed {fastest:g} is not below max_speed {instance.max_speed:g}; "
+                "agents must be faster"
             )

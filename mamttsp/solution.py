@@ -23,8 +23,9 @@ class Solution:
 
     status: "optimal" (gap proved), "feasible" (a limit came first), "infeasible" (proved) or "unknown" (a limit came
     first, nothing found). objective: total length of the tours, None without tours; bound: proved lower bound on every
-    solution, None if none is known; runtime: solver's wall time in s; build_time: time to build and hand over the model.
-    tours: tuple of Tour; nodes: branch-and-bound nodes; subtour_cuts: cuts added against cycles that nobody flies.
+    solution, None if none is known; runtime: solver's wall time in s; build_time: time to build and hand over the
+    model. tours: tuple of Tour; nodes: branch-and-bound nodes; subtour_cuts: cuts added against cycles that nobody
+    flies.
     """
 
     status: str

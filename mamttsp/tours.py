@@ -84,9 +84,20 @@ def check(instance, tours, tolerance=TOLERANCE):
         position, time = instance.depot, 0.0
         for visit in tour.visits:
             faults += _visit_faults(instance, k, visit, tolerance)
-            total += _hop(instance, f"tour {k}, to target {visit.target}", position, time, visit.position, visit.time, slack, faults)
+            total += _hop(
+                instance,
+                f"tour {k}, to target {visit.target}",
+                position,
+                time,
+                visit.position,
+                visit.time,
+                slack,
+                faults,
+            )
             position, time = np.asarray(visit.position), visit.time
-        total += _hop(instance, f"tour {k}, to the depot", position, time, instance.depot, tour.return_time, slack, faults)
+        total += _hop(
+            instance, f"tour {k}, to the depot", position, time, instance.depot, tour.return_time, slack, faults
+        )
         if tour.return_time > instance.horizon + slack:
             faults.append(f"tour {k}: back at {tour.return_time:.9g}, after the horizon {instance.horizon:.9g}")
     if faults:
@@ -147,7 +158,9 @@ def earliest_times(graph, route):
 
 def _meeting(graph, p, t, i):
     q, v = graph.p_lo[i], graph.v[i]
-    return earliest_meeting(p[0], p[1], t, q[0], q[1], graph.t_lo[i], v[0], v[1], graph.t_lo[i], graph.t_hi[i], graph.max_speed)
+    return earliest_meeting(
+        p[0], p[1], t, q[0], q[1], graph.t_lo[i], v[0], v[1], graph.t_lo[i], graph.t_hi[i], graph.max_speed
+    )
 
 
 def best_times(graph, route):
@@ -228,10 +241,12 @@ def _latest_times(graph, route):
 
 
 def _solve_times(graph, route):
-    """Return (times, bound): the optimal visit times of a fixed order, None if Clarabel does not answer, and the dual bound.
+    """Return (times, bound): the optimal visit times of a fixed order, None if Clarabel does not answer, and the
+    dual bound.
 
-    Unknowns: times t_1..t_K and leg lengths l_0..l_K, in the units T and R of the instance so that the data are near one.
-    Rows A x + s = b: windows; l_k <= v_max * (t_k+1 - t_k); ||p_k+1(t_k+1) - p_k(t_k)|| <= l_k as second-order cones.
+    Unknowns: times t_1..t_K and leg lengths l_0..l_K, in the units T and R of the instance so that the data are near
+    one. Rows A x + s = b: windows; l_k <= v_max * (t_k+1 - t_k); ||p_k+1(t_k+1) - p_k(t_k)|| <= l_k as second-order
+    cones.
     """
     K, R, T = len(route), graph.size or 1.0, graph.horizon
     nodes = [graph.s, *route, graph.s_prime]
@@ -268,8 +283,8 @@ def _solve_times(graph, route):
 
 
 def _dual_bound(z, split, cost, A, b, bounds):
-    """Return a lower bound on cost @ x subject to A x + s = b, s in the cones, from any z: it is moved into the dual cones
-    (nonnegative rows up to `split`, then cones of three),
+    """Return a lower bound on cost @ x subject to A x + s = b, s in the cones, from any z: it is moved into the dual
+    cones (nonnegative rows up to `split`, then cones of three),
     and what its residual could cost within the variables' bounds (K, 2) is taken off. -infinity if z is not finite.
     """
     if not np.isfinite(z).all():

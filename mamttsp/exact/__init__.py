@@ -1,9 +1,10 @@
 """The exact solver, `method="exact"`: proved optima of MA-MT-TSP instances without a model or a licence.
 
-Segments are cut into pieces; relaxed routes over pieces (ng-routes with affine values, see `relaxed`) bound and guide the
-growth of elementary labels (`labels`), whose routes enter a set partitioning (`partition`, `settle`); pieces that no
-solution better than the incumbent can use are dropped and the rest cut finer (`search`). Every bound holds for real
-tours because each step underestimates the flown distance; every incumbent is a real tour timed by the SOCP.
+Segments are cut into pieces; relaxed routes over pieces (ng-routes with affine values, see `relaxed`) bound and
+guide the growth of elementary labels (`labels`), whose routes enter a set partitioning (`partition`, `settle`);
+pieces that no solution better than the incumbent can use are dropped and the rest cut finer (`search`). Every bound
+holds for real tours because each step underestimates the flown distance; every incumbent is a real tour timed by the
+SOCP.
 """
 
 import math
@@ -48,7 +49,9 @@ def _solution(search, runtime):
     tours = search.incumbent.tours()
     if tours:
         status = OPTIMAL if search.closed() else FEASIBLE
-        return Solution(status, search.incumbent.objective, search.bound, runtime, tours, "exact", _NAME, nodes=search.labels)
+        return Solution(
+            status, search.incumbent.objective, search.bound, runtime, tours, "exact", _NAME, nodes=search.labels
+        )
     status = INFEASIBLE if math.isinf(search.bound) else UNKNOWN
     bound = None if math.isinf(search.bound) else search.bound
     return Solution(status, None, bound, runtime, (), "exact", _NAME, nodes=search.labels)

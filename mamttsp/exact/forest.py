@@ -12,8 +12,8 @@ class Forest:
 
     complete: False if it needed more than `most` labels; it then proves nothing. With `beam`, only that many labels of
     each layer are kept, those of least bound: a heuristic, which proves nothing either.
-    Columns, one for each closed route: visited (J,) uint64, cost (J,) length bound, bound (J,) least value of a solution
-    with it; both without multipliers.
+    Columns, one for each closed route: visited (J,) uint64, cost (J,) length bound, bound (J,) least value of a
+    solution with it; both without multipliers.
     """
 
     def __init__(self, relaxation, pi, limit, most, budget=np.inf, beam=None, out_of_time=lambda: False):
@@ -74,7 +74,8 @@ class Forest:
         return tuple(int(i) for i in self.pieces.segment[self.route(column)])
 
     def leading(self, alive):
-        """Return, layer by layer, which labels lead to a column marked `alive` (J,), themselves or through what dominates them."""
+        """Return, layer by layer, which labels lead to a column marked `alive` (J,), themselves or through what
+        dominates them."""
         leads = [None] * self.n
         for s in range(self.n, 0, -1):
             here = np.zeros(len(self.layers[s - 1].left), dtype=bool)
@@ -90,7 +91,8 @@ class Forest:
         after, before = np.zeros_like(self._relaxation.after), np.zeros_like(self._relaxation.before)
         for s, (layer, lead) in enumerate(zip(self.layers, leads), start=1):
             after[s, layer.piece[lead]] = True
-        for s in range(1, self.n + 1):  # with several agents the routes through (s, q) may have any number of visits to come
+        # With several agents the routes through (s, q) may have any number of visits to come.
+        for s in range(1, self.n + 1):
             for k in range(self.n - s + 1):
                 if np.isfinite(self._relaxation.rest[self.n - s - k]):
                     before[k] |= after[s]

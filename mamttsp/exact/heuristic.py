@@ -1,8 +1,9 @@
-"""First tours: ruin and recreate on a time grid (after Christiaens and Vanden Berghe 2020, without their string removal).
+"""First tours: ruin and recreate on a time grid (after Christiaens and Vanden Berghe 2020, without their string
+removal).
 
 Visits are restricted to grid times of their segments, so that a route is a shortest path through layers of grid points,
-and insertions are priced from the values so far and the values to go. A flight on the grid may come half a step late, for
-the grid would else be too strict; what is kept can be flown, by the exact earliest times of its segments.
+and insertions are priced from the values so far and the values to go. A flight on the grid may come half a step
+late, for the grid would else be too strict; what is kept can be flown, by the exact earliest times of its segments.
 """
 
 import math
@@ -30,7 +31,8 @@ class Annealing:
         self.routes, self.length = np.zeros((n_agents, self.n), np.int64), np.zeros(n_agents, np.int64)
 
     def run(self, iterations, warm, cool):
-        """Anneal on, from heat `warm` to `cool` (1 to 0); return routes (tuples of segments) that serve all targets and can be flown, or None while there are none."""
+        """Anneal on, from heat `warm` to `cool` (1 to 0); return routes (tuples of segments) that serve all targets
+        and can be flown, or None while there are none."""
         self.seed += 1
         self.routes, self.length, length, points = ruin_and_recreate(
             *self.network, self.start, *self.motion, self.routes, self.length, self.penalty,
@@ -42,7 +44,8 @@ class Annealing:
 
 
 def _grid(graph, targets):
-    """Return (node, time, start, step): about _GRID points for each target, both ends of each of its segments among them.
+    """Return (node, time, start, step): about _GRID points for each target, both ends of each of its segments among
+    them.
 
     start: (n + 1,) where the points of each target begin; step: the longest time between two points.
     """
@@ -62,7 +65,8 @@ def _grid(graph, targets):
 
 @njit(cache=True)
 def _distances(p, time, target, depot, speed, horizon, slack):
-    """Return (between (P, P), first (P,), last (P,)): distances, infinite where a flight would be more than `slack` s late."""
+    """Return (between (P, P), first (P,), last (P,)): distances, infinite where a flight would be more than `slack`
+    s late."""
     P = len(time)
     between, first, last = np.full((P, P), np.inf), np.full(P, np.inf), np.full(P, np.inf)
     slack += TIME_SLACK * horizon

@@ -180,7 +180,9 @@ def extend(old, s, pieces, pi, N, completion, alive, limit, most, budget):
                 links = np.concatenate((links, np.empty_like(links)))
             links[linked, 0] = x
             slot = _slot(visited | bit, r, len(head))
-            better = _dominate(new, head[slot], following, heir, count, visited | bit, r, left, right, early, share, pieces)
+            better = _dominate(
+                new, head[slot], following, heir, count, visited | bit, r, left, right, early, share, pieces
+            )
             if better >= 0:
                 links[linked, 1] = better
                 linked += 1
@@ -204,7 +206,8 @@ def extend(old, s, pieces, pi, N, completion, alive, limit, most, budget):
 
 @njit(cache=True)
 def _dominate(new, y, following, heir, count, visited, r, left, right, early, share, pieces):
-    """Return a label of the chain from y that dominates the candidate, or -1; what the candidate dominates gets it as heir."""
+    """Return a label of the chain from y that dominates the candidate, or -1; what the candidate dominates gets it
+    as heir."""
     start, width = pieces.a[r], pieces.b[r] - pieces.a[r]
     value = left + (right - left) * share
     x = y
@@ -263,4 +266,3 @@ def closings(labels, s, pieces, to_go, others):
         cost[x] = _least(left, right, _share(labels.early[x], pieces.a[q], width))
         bound[x] = cost[x] + others
     return bound, cost
-

@@ -1,7 +1,8 @@
 """ng-memories (Baldacci, Mingozzi, Roberti 2011): which visits a relaxed route remembers, and so may not repeat.
 
-Each target u has a neighbourhood N_u of close targets. A relaxed route that ends (going backward: starts) at u remembers
-only visits to u itself and to members of N_u. A memory is a bit mask over the members of N_u; u itself is implied.
+Each target u has a neighbourhood N_u of close targets. A relaxed route that ends (going backward: starts) at u
+remembers only visits to u itself and to members of N_u. A memory is a bit mask over the members of N_u; u itself is
+implied.
 """
 
 import numpy as np
@@ -9,7 +10,8 @@ from numba import njit
 
 
 def neighbourhoods(pieces, n_targets, size):
-    """Return N (n, size): for each target the `size` others that are cheapest to fly to or from, -1 where there are fewer."""
+    """Return N (n, size): for each target the `size` others that are cheapest to fly to or from, -1 where there are
+    fewer."""
     size = min(size, n_targets - 1)
     present, starts = np.unique(pieces.target, return_index=True)  # pieces are ordered by target
     least = np.minimum.reduceat(np.minimum.reduceat(pieces.legs[:, :, 0], starts, axis=0), starts, axis=1)

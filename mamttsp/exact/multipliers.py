@@ -18,7 +18,8 @@ _CONVERGED = 1e-3
 
 
 def combine(cost, n_agents):
-    """Return (m + 1, n + 1): the least cost of at most j routes with t visits in all. cost: (n + 1,) by number of visits."""
+    """Return (m + 1, n + 1): the least cost of at most j routes with t visits in all. cost: (n + 1,) by number of
+    visits."""
     n = len(cost) - 1
     total = np.full((n_agents + 1, n + 1), np.inf)
     total[0, 0] = 0.0
@@ -52,7 +53,8 @@ class Relaxation:
         return float(pi.sum() + self.total[self.m, self.n])
 
     def columns(self, pi):
-        """Return (visits (J, n), cost (J,)): cheap relaxed routes, how often they visit each target, and their lengths."""
+        """Return (visits (J, n), cost (J,)): cheap relaxed routes, how often they visit each target, and their
+        lengths."""
         reduced = self.cost if self.m > 1 else self.cost[-1:]  # one agent makes all n visits
         lengths, firsts = np.nonzero(reduced < np.inf)
         cheapest = np.argsort(reduced[lengths, firsts], kind="stable")[:_NEW]
@@ -111,7 +113,12 @@ def ascend(relaxation, pi, known, iterations, out_of_time):
 def _master(visits, cost, n_agents):
     """Return (value, dual (n,), reduced costs (J,)) of the linear set partitioning over the columns."""
     answer = optimize.linprog(
-        cost, A_eq=visits.T, b_eq=np.ones(visits.shape[1]), A_ub=np.ones((1, len(cost))), b_ub=[n_agents], method="highs"
+        cost,
+        A_eq=visits.T,
+        b_eq=np.ones(visits.shape[1]),
+        A_ub=np.ones((1, len(cost))),
+        b_ub=[n_agents],
+        method="highs",
     )
     dual, fleet = answer.eqlin.marginals, answer.ineqlin.marginals[0]
     return answer.fun, dual, cost - visits @ dual - fleet

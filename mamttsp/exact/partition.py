@@ -7,9 +7,9 @@ from scipy import optimize, sparse
 
 
 class Relaxed(NamedTuple):
-    """The linear relaxation. bound: proved lower bound on every choice, infinite if there is none; support: columns at a
-    positive level; dual: (n,) prices of the targets; slack: (J,) by how much each column's cost may grow before every
-    choice with it costs more than the limit (negative: it does already).
+    """The linear relaxation. bound: proved lower bound on every choice, infinite if there is none; support: columns
+    at a positive level; dual: (n,) prices of the targets; slack: (J,) by how much each column's cost may grow before
+    every choice with it costs more than the limit (negative: it does already).
     """
 
     bound: float
@@ -47,8 +47,8 @@ def relax_choice(members, cost, n_agents, limit):
 
 
 def choose(members, cost, n_agents, time_limit=None):
-    """Return (bound, chosen): a proved lower bound on the cost of every choice, infinite if there is none, and the columns
-    of a best one found, None without."""
+    """Return (bound, chosen): a proved lower bound on the cost of every choice, infinite if there is none, and the
+    columns of a best one found, None without."""
     n, J = members.shape
     if J == 0:
         return np.inf, None

@@ -17,9 +17,9 @@ from ..motion import TIME_SLACK, earliest_meeting
 class Pieces(NamedTuple):
     """Q pieces ordered by segment, then time, and their legs.
 
-    segment, target: (Q,) node of the graph and target; a, b: (Q,) start and end in s; p, v: (Q, 2) position at a, velocity.
-    legs: (Q, Q, 3) for each pair (q, r) the minorant's value at (a_q, a_r), its slope in t_q and its slope in t_r; the
-    value is infinite where no agent can fly from q to r in time.
+    segment, target: (Q,) node of the graph and target; a, b: (Q,) start and end in s; p, v: (Q, 2) position at a,
+    velocity. legs: (Q, Q, 3) for each pair (q, r) the minorant's value at (a_q, a_r), its slope in t_q and its slope
+    in t_r; the value is infinite where no agent can fly from q to r in time.
     first, last: (Q, 2) the same for the legs from and to the depot: value at a, slope.
     ready: (Q,) earliest time at which an agent from the depot can be at q, infinite if never.
     depot: (2,); speed: v_max; horizon: T.
@@ -41,8 +41,8 @@ class Pieces(NamedTuple):
 
 
 def make_pieces(graph, segment, a, b, targets):
-    """Return the Pieces with the given segments (Q,), starts and ends (Q,) in s; targets: those served, numbered from 0 in
-    this order in the pieces."""
+    """Return the Pieces with the given segments (Q,), starts and ends (Q,) in s; targets: those served, numbered
+    from 0 in this order in the pieces."""
     v = np.ascontiguousarray(graph.v[segment])
     p = graph.p_lo[segment] + (a - graph.t_lo[segment])[:, None] * v
     number = np.full(graph.n_targets, -1)

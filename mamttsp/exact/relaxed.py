@@ -102,8 +102,8 @@ def _extend_backward(pieces, pi, move, value, best, count, index, cheapest, k, q
         if memory < 0:
             continue
         left, right = before_leg(
-            c, slope_q, slope_r, value[k - 1, r, mask, 0], value[k - 1, r, mask, 1], width_q, width_r, gap, pieces.speed,
-            per_width, per_speed,
+            c, slope_q, slope_r, value[k - 1, r, mask, 0], value[k - 1, r, mask, 1], width_q, width_r, gap,
+            pieces.speed, per_width, per_speed,
         )  # fmt: skip
         left -= pi[w]
         right -= pi[w]
@@ -165,8 +165,8 @@ def _extend_forward(pieces, pi, move, value, count, index, s, q, r):
 
 @njit(cache=True)
 def cheapest_routes(pieces, pi, value, count, index, n):
-    """Return (cost, start): the least reduced cost of a relaxed route of k + 1 visits whose first is target u, (K, n), and
-    its first state, (K, n, 2) piece and memory; infinite where there is none."""
+    """Return (cost, start): the least reduced cost of a relaxed route of k + 1 visits whose first is target u, (K,
+    n), and its first state, (K, n, 2) piece and memory; infinite where there is none."""
     K, Q = count.shape
     cost = np.full((K, n), np.inf)
     start = np.full((K, n, 2), -1)
@@ -191,7 +191,8 @@ def cheapest_routes(pieces, pi, value, count, index, n):
 
 @njit(cache=True)
 def trace(pieces, best, start, lengths, firsts, n):
-    """Return (J, n): how often the cheapest route with lengths[j] more visits after first target firsts[j] visits each."""
+    """Return (J, n): how often the cheapest route with lengths[j] more visits after first target firsts[j] visits
+    each."""
     visits = np.zeros((len(lengths), n))
     for j in range(len(lengths)):
         q, mask = start[lengths[j], firsts[j]]
@@ -224,7 +225,8 @@ def completions(value, memory_bits):
 
 @njit(cache=True)
 def completions_with_rest(to_go, rest):
-    """Return (n + 1, Q, M, 2): the least cost to complete a route with s visits, and to serve all others by other routes.
+    """Return (n + 1, Q, M, 2): the least cost to complete a route with s visits, and to serve all others by other
+    routes.
 
     to_go: (K, Q, M, 2) from `completions`; rest: (n + 1,) least reduced cost of the other agents' routes with that many
     visits in all.

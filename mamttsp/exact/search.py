@@ -1,8 +1,8 @@
 """The search: rounds of bounding, finding, eliminating, enumerating and refining, until the gap is closed.
 
-Every round works on pieces of the segments. (1) Multipliers raise the bound of the relaxed routes (`multipliers`). (2) A
-beam of labels gives routes, timed by the SOCP. (3) Pieces on no relaxed solution better than the incumbent are dropped.
-(4) If few enough labels remain, all of them are grown, and the set partitioning over their routes bounds every
+Every round works on pieces of the segments. (1) Multipliers raise the bound of the relaxed routes (`multipliers`).
+(2) A beam of labels gives routes, timed by the SOCP. (3) Pieces on no relaxed solution better than the incumbent are
+dropped. (4) If few enough labels remain, all of them are grown, and the set partitioning over their routes bounds every
 solution. (5) Only pieces on routes still within the gap are kept, cut finer around the incumbent's visit times, and the
 next round starts; with several agents, the sets of targets that compete are settled one by one instead (`settle`).
 All bounds are of second order in the lengths of the pieces.
@@ -17,7 +17,6 @@ from ..backends.answer import Progress
 from ..solution import relative_gap
 from . import memory
 from .forest import Forest
-from .heuristic import Annealing
 from .incumbent import Incumbent
 from .multipliers import Relaxation, ascend
 from .partition import choose, relax_choice
@@ -47,10 +46,11 @@ _RATE = 2e7
 
 
 class Search:
-    """A run of the exact solver for some targets of a graph. `bound` holds at every moment, `incumbent` is the best found.
+    """A run of the exact solver for some targets of a graph. `bound` holds at every moment, `incumbent` is the best
+    found.
 
-    cutoff: value from which solutions are of no interest; `bound` may then stop there. annealing: looks for tours before
-    each round, until a round has enumerated all labels; None does without.
+    cutoff: value from which solutions are of no interest; `bound` may then stop there. annealing: looks for tours
+    before each round, until a round has enumerated all labels; None does without.
     """
 
     def __init__(self, graph, targets, n_agents, gap, clock, progress=None, cutoff=math.inf, annealing=None):
@@ -124,7 +124,8 @@ class Search:
         pieces = make_pieces(self.graph, *self.cut, self.targets)
         N = memory.neighbourhoods(pieces, self.n, self.memory)
         relaxation = Relaxation(pieces, self.n, self.m, N, memory.transitions(N), self.after, self.before)
-        bound, self.pi = ascend(relaxation, self.pi, self.incumbent.columns(self.targets, self.cutoff), iterations, self.clock.out)
+        known = self.incumbent.columns(self.targets, self.cutoff)
+        bound, self.pi = ascend(relaxation, self.pi, known, iterations, self.clock.out)
         self.raise_bound(bound)
         self.report("multipliers")
         if self.over():
@@ -147,7 +148,8 @@ class Search:
         self.report("beam")
 
     def enumerate(self, relaxation):
-        """Grow all labels within the limit, bound every solution by the choice among their routes, drop unused pieces."""
+        """Grow all labels within the limit, bound every solution by the choice among their routes, drop unused
+        pieces."""
         budget = self.clock.seconds * _RATE
         forest = Forest(relaxation, self.pi, self.limit, self.most, budget=budget, out_of_time=self.clock.out)
         self.labels += forest.size
@@ -165,7 +167,7 @@ class Search:
             self.pi = relaxed.dual if self.m > 1 else self.pi
         leads = forest.leading(alive)
         self.after, self.before = forest.used_pieces(leads)
-        self.report(f"routes {len(forest.cost)} {len(sets.cost)} {[len(x.left) for x in forest.layers]} Q{len(relaxation.pieces.a)} {self.after.any(axis=0).sum()}")
+        self.report("routes")
         if self.m == 1 and not self.over():
             self.finish(forest, leads)
         elif not self.over():
@@ -189,35 +191,37 @@ class Search:
 
     def settle(self, sets):
         """Settle the competing sets of targets, each with one agent as a small instance of its own."""
-        self.pool, self.solved = {}, 0
+        self.known = {}
         settle(sets, self.m, lambda: self.limit, self.solve_set, self.settled, self.clock.out)
 
     def settled(self, bound):
+        """Take a bound of the settling, and the best choice among the routes that it has found."""
         self.raise_bound(bound)
-        if self.pool:
-            members = np.array([[float(u in targets) for targets in self.pool] for u in range(self.n)])
-            cost = np.array([self.incumbent.timed(r)[0] for r in self.pool.values()])
-            _, chosen = choose(sparse.csc_matrix(members), cost, self.m)
+        if self.known:
+            routes = list(self.known.values())
+            visited = np.array([[float(u in targets) for targets in self.known] for u in range(self.n)])
+            _, chosen = choose(
+                sparse.csc_matrix(visited), np.array([self.incumbent.timed(r)[0] for r in routes]), self.m
+            )
             if chosen is not None:
-                routes = list(self.pool.values())
                 self.incumbent.offer([routes[j] for j in chosen])
-        self.report(f"settle {self.solved}")
+        self.report("settle")
 
     def solve_set(self, targets, cutoff, dual):
-        self.solved+=1
+        """Return a lower bound on one agent's cheapest route through a set of targets, exact if it is below the
+        cutoff."""
         used = self.after.any(axis=0)
         segment, a, b = (part[used] for part in self.cut)
         mine = [self.targets[u] for u in targets]
         part = np.isin(self.graph.tau[segment], mine)
         search = Search(self.graph, mine, 1, 0.1 * self.gap, self.clock, cutoff=cutoff)
         search.start_from(segment[part], a[part], b[part])
-        search.width = self.width
-        search.pi = dual[list(targets)]
-        if len(mine) <= _SMALL:
+        search.width, search.pi = self.width, dual[list(targets)]
+        if small := len(mine) <= _SMALL:
             search.memory = _SMALL_MEMORY
-        search.run(1 if len(mine) <= _SMALL else 10)
+        search.run(1 if small else 10)
         if search.incumbent.routes:
-            self.pool[targets]=search.incumbent.routes[0]
+            self.known[targets] = search.incumbent.routes[0]
         return search.bound
 
     def refine(self):
@@ -228,7 +232,7 @@ class Search:
             return
         segment, a, b = self.cut
         used = self.after.any(axis=0)
-        self.width = max(self.width, (b - a)[used].sum() / (_MOST_PIECES - used.sum()))
+        self.width = max(self.width, (b - a)[used].sum() / max(_MOST_PIECES - used.sum(), 1))
         centre = self.incumbent.visit_times()
         rows, origin = [], []
         for q in np.flatnonzero(used):
@@ -243,7 +247,8 @@ class Search:
 
 
 def split(a, b, width, centre=None):
-    """Return (start, end) pairs that cut [a, b] into parts of about `width`, one of them around `centre` if that is inside."""
+    """Return (start, end) pairs that cut [a, b] into parts of about `width`, one of them around `centre` if that is
+    inside."""
     if centre is None or not a < centre < b:
         points = np.linspace(a, b, max(1, math.ceil((b - a) / width - 1e-9)) + 1)
     else:

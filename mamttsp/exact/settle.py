@@ -13,8 +13,8 @@ from .partition import choose, relax_choice
 
 
 class Sets:
-    """The competing sets of targets. visited: (J,) uint64; members: (n, J) sparse 0/1; cost: (J,) lower bounds; settled:
-    (J,) bool; of_column: the set of each of the columns that they were made from."""
+    """The competing sets of targets. visited: (J,) uint64; members: (n, J) sparse 0/1; cost: (J,) lower bounds;
+    settled: (J,) bool; of_column: the set of each of the columns that they were made from."""
 
     def __init__(self, visited, cost, n_targets):
         self.visited, self.of_column = np.unique(visited, return_inverse=True)
@@ -62,5 +62,7 @@ def settle(sets, n_agents, limit, solve_set, on_bound, out_of_time):
         for j in competing:
             if not sets.settled[j] and not out_of_time():
                 # Beyond its slack the set cannot be part of a solution within the limit.
-                sets.cost[j] = max(sets.cost[j], solve_set(sets.targets(j), sets.cost[j] + max(slack[j], 0.0), relaxed.dual))
+                sets.cost[j] = max(
+                    sets.cost[j], solve_set(sets.targets(j), sets.cost[j] + max(slack[j], 0.0), relaxed.dual)
+                )
                 sets.settled[j] = True

@@ -8,8 +8,8 @@ from ..backends.clock import Clock
 
 
 class Watch(Clock):
-    """A Clock that Ctrl-C ends as well. As a context manager it takes Ctrl-C over, because compiled code must not be broken
-    off in the middle: the run ends at its next look at `out`, with what stands."""
+    """A Clock that Ctrl-C ends as well. As a context manager it takes Ctrl-C over, because compiled code must not be
+    broken off in the middle: the run ends at its next look at `out`, with what stands."""
 
     def __init__(self, limit=None):
         super().__init__(limit)
