@@ -4,7 +4,7 @@ BIN := .venv/bin
 NOTEBOOKS = $(sort $(wildcard notebooks/*.ipynb))
 # No time stamps in the saved file: the same results give the same bytes.
 RUN_NOTEBOOK = $(BIN)/jupyter nbconvert --to notebook --execute --inplace --log-level=WARN \
-	--ExecutePreprocessor.record_timing=False --ExecutePreprocessor.coalesce_streams=True
+	--ExecutePreprocessor.record_timing=False --CoalesceStreamsPreprocessor.enabled=True
 # Two test processes share two cores: each keeps to one thread.
 export OMP_NUM_THREADS ?= 1
 
