@@ -21,7 +21,6 @@ class Forest:
         self._relaxation, self._pi, self._constant = relaxation, pi, pi.sum()
         self._limit = limit - self._constant
         to_go = relaxation.completions()
-        self._home = to_go[0]
         self._completion = relaxed.completions_with_rest(to_go, relaxation.rest)
         self._grow(most, budget, beam, out_of_time)
         if self.complete:
@@ -53,7 +52,7 @@ class Forest:
         """Gather the closed routes of all layers as columns."""
         found = []
         for s, layer in enumerate(self.layers, start=1):
-            bound, cost = lab.closings(layer, s, self.pieces, self._home, self._relaxation.rest[self.n - s])
+            bound, cost = lab.closings(layer, self.pieces, self._relaxation.rest[self.n - s])
             hits = np.flatnonzero((bound <= self._limit) & (bound < np.inf))
             found.append((np.full(len(hits), s), hits, layer.visited[hits], cost[hits], bound[hits]))
         self.depth, self.label, self.visited, cost, bound = (np.concatenate(part) for part in zip(*found))

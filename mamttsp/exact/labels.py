@@ -142,7 +142,6 @@ def extend(old, s, pieces, pi, N, completion, alive, limit, most, budget):
     links, linked, tried = np.empty((_FIRST_SIZE, 2), np.int32), 0, 0
     for x in range(len(old.left)):
         q, visited = old.piece[x], old.visited[x]
-        u = pieces.target[q]
         a_q, width_q = pieces.a[q], pieces.b[q] - pieces.a[q]
         start = max(0.0, old.early[x] - a_q)
         px, py = pieces.p[q, 0] + start * pieces.v[q, 0], pieces.p[q, 1] + start * pieces.v[q, 1]
@@ -242,11 +241,10 @@ def _compact(new, count, heir, links):
 
 
 @njit(cache=True)
-def closings(labels, s, pieces, to_go, others):
+def closings(labels, pieces, others):
     """Return (bound, cost) of closing each label with a flight home, infinite if it would come too late.
 
-    to_go: (Q, M, 2) values of flying home, others: least reduced cost of the other routes. cost is the route's
-    reduced cost alone.
+    others: least reduced cost of the other routes. cost is the route's reduced cost alone.
     """
     bound, cost = np.full(len(labels.left), np.inf), np.full(len(labels.left), np.inf)
     if others == np.inf:
