@@ -1,5 +1,6 @@
 """The relaxed bound of an instance: the paper's MICPs without the demand that y is whole, solved by Clarabel."""
 
+import dataclasses
 import math
 
 import numpy as np
@@ -13,26 +14,46 @@ from .instance import InputError
 METHODS = ("micp", "baseline")
 
 
+@dataclasses.dataclass(frozen=True, eq=False)
+class Relaxation:
+    """A continuous relaxation and its answer.
+
+    bound: proved lower bound in units on the length of all tours, infinity if even the relaxation is infeasible;
+    values: dict from the name of a variable to the array of its values, edges (or nodes) first.
+    """
+
+    bound: float
+    values: dict
+
+
 def relax(instance, method="micp", modeler="cvxpy", prune=False):
     """Return a lower bound (units) on the total length of all tours: the optimum of the continuous relaxation.
 
     method: "micp" or "baseline", whose relaxation is 0; modeler: "cvxpy" or "pyomo"; prune: leave out edges that no
     agent can fly. Infinity if even the relaxation is infeasible. InputError: an unknown method or modeler.
-
-    The bound is proved by Clarabel's dual point, residual included (see backends.conic_solver): it is a little
-    below the relaxation's optimum, by up to about 1e-6 of it, and never above.
     """
     if method not in METHODS:
         raise InputError(f"method: expected one of {', '.join(METHODS)} for a relaxation, found {method!r}")
-    graph = build_graph(instance, prune)
-    program = conic_program(build_formulation(method, modeler, graph, instance.n_agents))
+    return relaxation(build_formulation(method, modeler, build_graph(instance, prune), instance.n_agents)).bound
+
+
+def relaxation(formulation):
+    """Solve the continuous relaxation of a built Formulation, "micp" or "baseline", and return the Relaxation.
+
+    It takes the model as it is: what has been added or switched off counts. The bound is proved by Clarabel's dual
+    point, residual included (see backends.conic_solver): it is a little below the relaxation's optimum, by up to about
+    1e-6 of it, and never above.
+    """
+    graph, n_agents = formulation.graph, formulation.n_agents
+    program = conic_program(formulation)
     size = program.n_zero, program.n_nonneg
     answer = minimise(program.c, program.A, program.b, *size)
-    z = dual_point(answer, *size)
-    if claims_infeasible(answer) and _proved(0 * program.c, program, z, graph, instance.n_agents) > 0:
-        return math.inf
-    bound = _proved(program.c, program, z, graph, instance.n_agents)
-    return max(0.0, float(bound))  # lengths are not negative
+    x, z = np.array(answer.x), dual_point(answer, *size)
+    values = {name: x[columns] for name, columns in program.columns.items()}
+    if claims_infeasible(answer) and _proved(0 * program.c, program, z, graph, n_agents) > 0:
+        return Relaxation(math.inf, values)
+    bound = _proved(program.c, program, z, graph, n_agents)
+    return Relaxation(max(0.0, float(bound)), values)  # lengths are not negative
 
 
 def _proved(c, program, z, graph, n_agents):

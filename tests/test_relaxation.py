@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 from examples import instance, still
 from oracle import optimum
@@ -10,7 +11,7 @@ from mamttsp import InputError, build_graph, generate
 from mamttsp.backends.conic import conic_program
 from mamttsp.backends.conic_solver import minimise
 from mamttsp.formulations import build_formulation
-from mamttsp.relaxation import relax
+from mamttsp.relaxation import relax, relaxation
 
 MODELERS = ("cvxpy", "pyomo")
 CASES = [(2, 40, 1, 0), (3, 20, 2, 3), (4, 20, 3, 3), (4, 60, 2, 1)]
@@ -50,6 +51,25 @@ def test_a_cut_is_in_the_program(modeler):
     before = conic_program(formulation)
     formulation.add_subtour_cut([0, 2])
     assert conic_program(formulation).n_nonneg == before.n_nonneg + 1
+
+
+@pytest.mark.parametrize("modeler", MODELERS)
+def test_the_values_are_a_point_of_the_relaxation(modeler):
+    formulation = build_formulation("micp", modeler, build_graph(generate(4, 60, 2, seed=1)), 2)
+    found = relaxation(formulation)
+    assert found.values["l"].sum() == pytest.approx(found.bound, rel=1e-5)
+    tail, head = formulation.graph.edges.T
+    for u in range(4):
+        into, out_of = np.isin(head, formulation.graph.C(u)), np.isin(tail, formulation.graph.C(u))
+        assert found.values["y"][into].sum() == pytest.approx(1.0, abs=1e-6)
+        assert found.values["z_t_prime"][into].sum() == pytest.approx(found.values["z_t"][out_of].sum(), rel=1e-6)
+
+
+def test_a_family_that_is_switched_off_no_longer_counts():
+    formulation = build_formulation("micp", "pyomo", build_graph(generate(4, 60, 2, seed=1)), 2)
+    bound = relaxation(formulation).bound
+    formulation.model.time_conservation.deactivate()
+    assert relaxation(formulation).bound < 0.99 * bound
 
 
 @pytest.mark.parametrize("modeler", MODELERS)

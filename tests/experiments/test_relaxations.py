@@ -1,0 +1,51 @@
+"""Rows of relaxed bounds: one for each setting and method, resumed by key, and joined with certified optima only."""
+
+import pytest
+from experiments.fakes import indices
+
+from mamttsp import paper_instance
+from mamttsp.experiments import read_rows
+from mamttsp.experiments.relaxations import bound_over_optimum, relaxations
+from mamttsp.experiments.runs import SETTINGS
+from mamttsp.relaxation import METHODS, relax
+
+
+@pytest.fixture(scope="module")
+def path(tmp_path_factory):
+    path = tmp_path_factory.mktemp("rows") / "relaxations.csv"
+    relaxations(path, sizes=(5,), indices=(0,), quiet=True)
+    return path
+
+
+def test_each_setting_has_a_row_of_each_method(path):
+    rows = read_rows(path)
+    assert len(rows) == len(SETTINGS) * len(METHODS) and {row["status"] for row in rows} == {"relaxed"}
+    settings = {(float(row["total_window"]), int(row["agents"]), row["method"]) for row in rows}
+    assert settings == {(*setting, method) for setting in SETTINGS for method in METHODS}
+
+
+def test_a_row_holds_the_bound_and_where_it_comes_from(path):
+    row = next(row for row in read_rows(path) if row["method"] == "micp" and row["agents"] == "3")
+    assert float(row["bound"]) == relax(paper_instance(5, 0, 40, 3))
+    assert row["solver_version"].startswith("clarabel ") and row["modeler_version"].startswith("cvxpy ")
+    assert row["objective"] == row["time_limit"] == "" and row["python"] and row["date"]
+
+
+def test_started_again_it_does_only_what_is_missing(path, tmp_path):
+    lines = path.read_bytes().splitlines(keepends=True)
+    part = tmp_path / "part.csv"
+    part.write_bytes(b"".join(lines[:-2]))
+    relaxations(part, sizes=(5,), indices=(0,), quiet=True)
+    again = part.read_bytes().splitlines(keepends=True)
+    assert again[:-2] == lines[:-2] and len(again) == len(lines)
+    assert [row["bound"] for row in read_rows(part)] == [row["bound"] for row in read_rows(path)]
+    assert indices(part) == [0] * len(SETTINGS) * len(METHODS)
+
+
+def test_bounds_are_divided_by_certified_optima_only(path, tmp_path):
+    exact = tmp_path / "exact.csv"
+    exact.write_text("n,index,total_window,agents,status,objective\n5,0,20,1,optimal,200\n5,0,40,1,feasible,200\n")
+    found = bound_over_optimum(path, exact).set_index("method")
+    assert list(found["total_window"]) == [20, 20] and list(found["optimum"]) == [200, 200]
+    assert found.loc["micp", "ratio"] == pytest.approx(relax(paper_instance(5, 0, 20)) / 200)
+    assert found.loc["baseline", "ratio"] == 0
