@@ -67,3 +67,9 @@ def test_a_path_that_cannot_be_flown_is_cut_to_its_shortest_such_start():
     assert shortest_unflyable(graph, (3, 1, 2)) == (3, 1)
     assert shortest_unflyable(graph, (1, 2, 3)) == (1, 2)
     assert shortest_unflyable(graph, (1, 3)) is None
+
+
+def test_all_agents_may_stay_at_home_while_cycles_take_all_targets():
+    """(2) and (3) allow it, so the baseline and the nonconvex program do where all targets meet."""
+    graph = _graph(3)
+    assert read_flow(graph, _flow(graph, (1, 3, 2, 1))) == ((), ((1, 3, 2),))
