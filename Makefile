@@ -8,12 +8,13 @@ RUN_NOTEBOOK = $(BIN)/jupyter nbconvert --to notebook --execute --inplace --log-
 # Two test processes share two cores: each keeps to one thread.
 export OMP_NUM_THREADS ?= 1
 
-.PHONY: help venv reproduce test test-all notebooks benchmarks lab
+.PHONY: help venv reproduce test test-all notebooks html benchmarks lab
 
 help:
 	@echo "make reproduce   set up, solve an instance, run the notebooks, rebuild every figure"
 	@echo "make test        set up and run the tests (test-all: the slow ones as well)"
 	@echo "make notebooks   run every notebook again, save it and its figures"
+	@echo "make html        make a website of the notebooks that needs no network: site/index.html"
 	@echo "make benchmarks  measure again the table in benchmarks/README.md"
 	@echo "make lab         open the notebooks in JupyterLab"
 
@@ -45,6 +46,9 @@ test-all: venv
 
 notebooks: venv
 	@set -e; for notebook in $(NOTEBOOKS); do echo "-- $$notebook"; $(RUN_NOTEBOOK) $$notebook; done
+
+html: venv
+	$(BIN)/python notebooks/website/build.py site
 
 benchmarks: venv
 	$(BIN)/python benchmarks/build_models.py

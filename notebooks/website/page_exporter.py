@@ -1,0 +1,51 @@
+"""A notebook as a page: nbconvert's HTML, with mathematics as MathML and links between notebooks as links of pages."""
+
+import re
+from pathlib import Path
+
+from latex2mathml.converter import convert
+from nbconvert import HTMLExporter
+from nbconvert.filters.markdown_mistune import IPythonRenderer, MarkdownWithMath
+
+FOLDER = Path(__file__).parent
+IN_WORDS = "*In words:*"
+
+
+class PageRenderer(IPythonRenderer):
+    """Markdown to HTML. Browsers draw MathML themselves, so a page needs no script."""
+
+    def inline_math(self, body):
+        return convert(body)
+
+    def block_math(self, body):
+        return f'<span class="formula">{convert(body, display="block")}</span>'
+
+    def latex_environment(self, name, body):
+        return self.block_math(rf"\begin{{{name}}}{body}\end{{{name}}}")
+
+    def link(self, text, url, title=None):
+        """Link to a notebook's page; links out of the site stay as they are."""
+        return super().link(text, re.sub(r"^(?![a-z]+:)([^#]*)\.ipynb(?=#|$)", r"\1.html", url), title)
+
+
+def markdown(source):
+    """Return Markdown as HTML."""
+    return MarkdownWithMath(renderer=PageRenderer(escape=False, exclude_anchor_links=True)).render(source)
+
+
+class PageExporter(HTMLExporter):
+    """Fills index.html.j2 in this folder; `resources["page"]` says which page it is."""
+
+    def __init__(self):
+        super().__init__(template_name=FOLDER.name, extra_template_basedirs=[str(FOLDER.parent)])
+
+    def default_filters(self):
+        yield from super().default_filters()
+        yield "markdown2html", markdown
+
+    def from_notebook_node(self, nb, resources=None, **kw):
+        """Export a notebook whose pictures are described by the sentence below them."""
+        for cell, below in zip(nb.cells, nb.cells[1:]):
+            if below.source.startswith(IN_WORDS):
+                cell.metadata["alt"] = re.sub(r"[*$`]", "", below.source.removeprefix(IN_WORDS)).strip()
+        return super().from_notebook_node(nb, resources, **kw)

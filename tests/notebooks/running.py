@@ -1,0 +1,34 @@
+"""Runs a notebook through nbval, away from the repository, which so stays as it is."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
+CHECKED = "nbval-check-output"
+LIMITS = {"cell": 90, "notebook": 280}  # seconds
+
+
+def lay_out(notebook, folder):
+    """Copy a notebook to its own place below `folder`, beside a copy of paper_results and an empty figures folder."""
+    copy = folder / notebook.relative_to(ROOT)
+    copy.parent.mkdir(parents=True)
+    (folder / "figures").mkdir()
+    shutil.copytree(ROOT / "paper_results", folder / "paper_results")
+    return Path(shutil.copy(notebook, copy))
+
+
+def run(notebook):
+    """Execute every cell once, in lax mode: the outputs of cells tagged nbval-check-output must be the committed ones.
+
+    Returns the finished process of a pytest of its own: status 0 if all is well, 1 if a cell failed or said another
+    thing. The kernel runs in the notebook's folder, on this Python.
+    """
+    options = ["--nbval-lax", "--nbval-current-env", f"--nbval-cell-timeout={LIMITS['cell']}"]
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options, str(notebook)]
+    alone = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
+    folder, limit = notebook.parent, LIMITS["notebook"]
+    return subprocess.run(command, cwd=folder, env=alone, capture_output=True, text=True, timeout=limit)

@@ -1,0 +1,41 @@
+"""A test of the test: a number that moved does not go unnoticed, nor does a cell that fails."""
+
+import nbformat
+import pytest
+from notebooks.running import CHECKED, ROOT, lay_out, run
+
+
+@pytest.fixture
+def beginning(tmp_path):
+    """The beginning of the first solve, up to its first marked number: the path, the notebook and that last cell."""
+    path = lay_out(ROOT / "notebooks" / "01-first-solve.ipynb", tmp_path)
+    notebook = nbformat.read(path, as_version=4)
+    first = next(i for i, cell in enumerate(notebook.cells) if CHECKED in cell.metadata.get("tags", []))
+    del notebook.cells[first + 1 :]
+    return path, notebook, notebook.cells[-1]
+
+
+def outcome(path, notebook):
+    nbformat.write(notebook, path)
+    return run(path)
+
+
+def test_the_beginning_itself_is_right(beginning):
+    path, notebook, _ = beginning
+    assert outcome(path, notebook).returncode == 0
+
+
+def test_a_wrong_number_fails(beginning):
+    path, notebook, cell = beginning
+    committed = cell.outputs[0].data["text/plain"]
+    assert committed == "(8, 3, 4.0, 150.0)"
+    cell.outputs[0].data["text/plain"] = committed.replace("150.0", "150.1")
+    failed = outcome(path, notebook)
+    assert failed.returncode == 1 and "150.1" in failed.stdout and "mismatch" in failed.stdout
+
+
+def test_a_cell_that_raises_fails(beginning):
+    path, notebook, cell = beginning
+    cell.source = "assert instance.n_targets == 9"
+    failed = outcome(path, notebook)
+    assert failed.returncode == 1 and "Notebook cell execution failed" in failed.stdout
