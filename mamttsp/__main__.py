@@ -89,7 +89,8 @@ def _campaign(arguments):
 
     _check_writable(arguments.results)
     runs = profile(arguments.profile, arguments.solver)
-    elsewhere = campaign(runs, arguments.results, arguments.jobs, arguments.memory_limit, arguments.quiet)
+    how = {"memory_limit": arguments.memory_limit, "quiet": arguments.quiet, "scheduler": arguments.scheduler}
+    elsewhere = campaign(runs, arguments.results, arguments.jobs, **how)
     if not arguments.quiet:
         print(f"{arguments.results}: {summary(runs, arguments.results)}")
     if elsewhere:
@@ -140,7 +141,8 @@ def _parser():
     command = commands.add_parser("campaign", help="many runs, a row of a CSV file each; started again, it goes on")
     command.add_argument("--profile", required=True, help="smoke, reduced, full or exact")
     command.add_argument("--results", required=True, metavar="FILE.csv")
-    command.add_argument("--jobs", type=int, default=1, metavar="N", help="runs at the same time (default: 1)")
+    command.add_argument("--jobs", type=int, metavar="N", help="runs at the same time (default: 1)")
+    command.add_argument("--scheduler", metavar="ADDRESS", help="of a dask.distributed cluster that does the runs")
     command.add_argument("--solver", help="of the profile full (default: scip)")
     command.add_argument("--memory-limit", type=float, default=4000, metavar="MB", help="for each run (default: 4000)")
     command.add_argument("--quiet", action="store_true", help="neither progress nor summary")

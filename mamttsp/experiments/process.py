@@ -18,15 +18,16 @@ _POLL, _GRACE = 0.1, 120.0
 _ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS"), "1")
 
 
-def run_apart(run, memory_limit, stop, command=WORKER):
+def run_apart(run, memory_limit, stop, command=None):
     """Return the row's fields for a run, or None if `stop` (an Event) ended it.
 
-    memory_limit: MB of resident memory; command: reads the run and writes the answer, as `worker` does.
+    memory_limit: MB of resident memory; command: reads the run and writes the answer, as `worker` does (default: this
+    machine's `WORKER`).
     Statuses beside those of a Solution: "crashed" (the process died), "memory" (it passed the limit), "overrun" (far
     beyond the time limit it was still running) and "error" (an exception, see `message`).
     """
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
-        process = _start(run, command, out, err)
+        process = _start(run, command or WORKER, out, err)
         try:
             verdict, memory = _watch(process, memory_limit, time.monotonic() + 2 * run.time_limit + _GRACE, stop)
         finally:

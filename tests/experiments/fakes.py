@@ -18,9 +18,10 @@ FAKE_WORKER = (sys.executable, str(Path(__file__).with_name("fake_worker.py")))
 _CAMPAIGN = """
 import sys
 from mamttsp.experiments import Run, campaign
-path, number, seconds, *command = sys.argv[1:]
+path, number, seconds, scheduler, *command = sys.argv[1:]
 runs = [Run(5, index, 20, 1, "fake", None, None, float(seconds)) for index in range(int(number))]
-left = campaign(runs, path, jobs=2, quiet=True, command=command)
+where = {"scheduler": scheduler} if scheduler else {"jobs": 2}
+left = campaign(runs, path, quiet=True, command=command, **where)
 print(len(left))
 """
 
@@ -30,9 +31,9 @@ def fake_run(index, time_limit=0.01):
     return Run(5, index, 20, 1, "fake", None, None, time_limit)
 
 
-def start_campaign(path, number, seconds, command=FAKE_WORKER):
+def start_campaign(path, number, seconds, command=FAKE_WORKER, scheduler=""):
     """Start a campaign on `number` fake runs of `seconds` each in a process of its own."""
-    arguments = [sys.executable, "-c", _CAMPAIGN, str(path), str(number), str(seconds), *command]
+    arguments = [sys.executable, "-c", _CAMPAIGN, str(path), str(number), str(seconds), scheduler, *command]
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
     return subprocess.Popen(arguments, **pipes, start_new_session=True)
 
@@ -52,7 +53,7 @@ def wait_until(holds, seconds=60):
 
 
 def children(process, number=1):
-    """Return the processes that do the runs of a campaign, once there are `number` of them."""
+    """Return the processes that do the runs of a campaign or a cluster's worker, once there are `number` of them."""
     parent = psutil.Process(process.pid)
     wait_until(lambda: len(_workers(parent)) >= number)
     return _workers(parent)
