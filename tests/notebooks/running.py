@@ -13,12 +13,10 @@ LIMITS = {"cell": 90, "notebook": 280}  # seconds
 
 
 def lay_out(notebook, folder):
-    """Copy a notebook to its own place below `folder`, beside a copy of paper_results and an empty figures folder."""
-    copy = folder / notebook.relative_to(ROOT)
-    copy.parent.mkdir(parents=True)
-    (folder / "figures").mkdir()
-    shutil.copytree(ROOT / "paper_results", folder / "paper_results")
-    return Path(shutil.copy(notebook, copy))
+    """Copy all notebooks, their figures and paper_results below `folder`; return the path of the notebook's copy."""
+    for name in ("notebooks", "figures", "paper_results"):
+        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns(".ipynb_checkpoints", "website"))
+    return folder / notebook.relative_to(ROOT)
 
 
 def run(notebook):

@@ -36,3 +36,7 @@ def test_the_committed_notebook_is_executed_in_order_and_without_errors(path):
 def test_numbers_are_marked_for_comparison_and_marked_cells_say_something(path):
     marked = [cell for cell in code_cells(path) if checked(cell)]
     assert marked and all(cell.outputs for cell in marked)
+
+
+def test_the_overview_comes_first():
+    assert NOTEBOOKS[0].name == "00-overview.ipynb"
