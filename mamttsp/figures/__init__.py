@@ -1,7 +1,10 @@
 """Drawings. Each takes `ax=None`, draws on it or on a figure of its own, and returns the axes."""
 
+from .gaps import true_gap_view
 from .graph import graph_view, reach_view
 from .ideas import charge_view, descent_view, perspective_view, sizes_view
+from .profiles import cactus_view, profile_view
+from .runtimes import panels_view, runtime_gap_view
 from .style import COLOURS, LINES, MARKERS, save
 from .tours import plan_view, space_time_view
 
@@ -9,13 +12,18 @@ __all__ = [
     "COLOURS",
     "LINES",
     "MARKERS",
+    "cactus_view",
     "charge_view",
     "descent_view",
     "graph_view",
+    "panels_view",
     "perspective_view",
     "plan_view",
+    "profile_view",
     "reach_view",
+    "runtime_gap_view",
     "save",
     "sizes_view",
     "space_time_view",
+    "true_gap_view",
 ]

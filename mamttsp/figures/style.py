@@ -11,10 +11,13 @@ _BOX = {"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", 
 LABEL = {"fontsize": 9, "ha": "center", "va": "center", "zorder": 7, "bbox": _BOX}
 
 
-def save(ax, path):
-    """Write the figure that holds `ax` to path.pdf, to print, and path.png, to look at; each time the same bytes."""
+def save(ax, path, dpi=150):
+    """Write the figure that holds `ax` to path.pdf, to print, and path.png, to look at; each time the same bytes.
+
+    dpi: pixels an inch of the PNG.
+    """
     ax.figure.savefig(f"{path}.pdf", metadata={"CreationDate": None})
-    ax.figure.savefig(f"{path}.png", dpi=150)
+    ax.figure.savefig(f"{path}.png", dpi=dpi)
 
 
 def once(k, label):
