@@ -56,8 +56,9 @@ def test_mathematics_is_mathml_with_a_font_beside_it(site, pages):
 
 
 def test_every_picture_is_described(pages):
-    pictures = [tag for page in pages.values() for tag in page.select("img")]
-    assert pictures and not [tag for tag in pictures if len(tag.get("alt", "")) < 60]
+    described = [tag.get("alt", "") for page in pages.values() for tag in page.select("img")]
+    # nbconvert's own words for a picture without a description
+    assert described and not [alt for alt in described if len(alt) < 20 or alt.startswith("No description")]
 
 
 def test_solutions_are_folded(pages):
