@@ -1,7 +1,9 @@
 # Needs make and Python 3.11 only; everything else goes into .venv.
 PYTHON ?= python3.11
 BIN := .venv/bin
-NOTEBOOKS = $(sort $(wildcard notebooks/*.ipynb))
+# The overview comes last: it looks for the figures that the others save.
+OVERVIEW := notebooks/00-overview.ipynb
+NOTEBOOKS = $(sort $(filter-out $(OVERVIEW),$(wildcard notebooks/*.ipynb))) $(OVERVIEW)
 # No time stamps in the saved file: the same results give the same bytes.
 RUN_NOTEBOOK = $(BIN)/jupyter nbconvert --to notebook --execute --inplace --log-level=WARN \
 	--ExecutePreprocessor.record_timing=False --CoalesceStreamsPreprocessor.enabled=True
@@ -54,4 +56,4 @@ benchmarks: venv
 	$(BIN)/python benchmarks/build_models.py
 
 lab: venv
-	$(BIN)/jupyter lab notebooks
+	$(BIN)/jupyter lab --LabApp.default_url=/lab/tree/$(OVERVIEW)
