@@ -26,7 +26,8 @@ class Progress:
     """A running solve at one moment.
 
     time: s since its start; objective, bound, gap: best so far, None while unknown (gap as a fraction);
-    nodes: branch-and-bound nodes, None where the solver has none; phase: one or two words, e.g. "scip" or "dive".
+    nodes: branch-and-bound nodes, labels of the exact solver, None where the solver has none; phase: one or two words,
+    e.g. "scip" or "dive"; columns: routes that the exact solver has closed, None where a solver has none.
     """
 
     time: float
@@ -35,6 +36,7 @@ class Progress:
     gap: float | None
     nodes: int | None
     phase: str
+    columns: int | None = None
 
 
 @dataclasses.dataclass(frozen=True)

@@ -3,27 +3,38 @@
 from .gaps import true_gap_view
 from .graph import graph_view, reach_view
 from .ideas import charge_view, descent_view, perspective_view, sizes_view
+from .labels import alive_view, ascent_view, layers_view
+from .prices import errors_view, relaxed_view, tangents_view, tilt_view
 from .profiles import cactus_view, profile_view
 from .runtimes import panels_view, runtime_gap_view
 from .style import COLOURS, LINES, MARKERS, save
 from .tours import plan_view, space_time_view
+from .trace import trace_view
 
 __all__ = [
     "COLOURS",
     "LINES",
     "MARKERS",
+    "alive_view",
+    "ascent_view",
     "cactus_view",
     "charge_view",
     "descent_view",
+    "errors_view",
     "graph_view",
+    "layers_view",
     "panels_view",
     "perspective_view",
     "plan_view",
     "profile_view",
     "reach_view",
+    "relaxed_view",
     "runtime_gap_view",
     "save",
     "sizes_view",
     "space_time_view",
+    "tangents_view",
+    "tilt_view",
+    "trace_view",
     "true_gap_view",
 ]
