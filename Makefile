@@ -3,7 +3,7 @@ PYTHON ?= python3.11
 BIN := .venv/bin
 # The overview comes last: it looks for the figures that the others save.
 OVERVIEW := notebooks/00-overview.ipynb
-NOTEBOOKS = $(sort $(filter-out $(OVERVIEW),$(wildcard notebooks/*.ipynb))) $(OVERVIEW)
+NOTEBOOKS = $(sort $(filter-out $(OVERVIEW) %.nbconvert.ipynb,$(wildcard notebooks/*.ipynb))) $(OVERVIEW)
 # No time stamps in the saved file: the same results give the same bytes.
 RUN_NOTEBOOK = $(BIN)/jupyter nbconvert --to notebook --execute --inplace --log-level=WARN \
 	--ExecutePreprocessor.record_timing=False --CoalesceStreamsPreprocessor.enabled=True
@@ -31,12 +31,14 @@ venv: .venv/ready
 	touch $@
 
 reproduce: venv
-	@echo "== 1/2 Solving a paper instance: 10 targets, 3 agents, windows of 40 s =="
+	@echo "== 1/3 Solving a paper instance: 10 targets, 3 agents, windows of 40 s =="
 	@mkdir -p build
 	$(BIN)/python -m mamttsp generate --targets 10 --window 40 --agents 3 --seed 7 -o build/instance.json
 	$(BIN)/python -m mamttsp solve build/instance.json --time-limit 120 -o build/solution.json
 	$(BIN)/python -m mamttsp check build/instance.json build/solution.json
-	@echo "== 2/2 Running the notebooks, which draw the figures =="
+	@echo "== 2/3 Drawing the experiments' figures from the rows in paper_results/ =="
+	$(BIN)/python -m mamttsp figures
+	@echo "== 3/3 Running the notebooks, which draw theirs =="
 	@$(MAKE) --no-print-directory notebooks
 	@echo "== Done: build/solution.json, notebooks/, figures/ =="
 

@@ -36,9 +36,14 @@ class Chapter:
         return [*figures, *(f"../paper_results/{name}" for name in self.rows)]
 
 
+def notebooks(folder):
+    """Return the paths of the numbered notebooks in a folder, in order, without copies such as 01-x.nbconvert.ipynb."""
+    return sorted(path for path in Path(folder).glob("[0-9][0-9]-*.ipynb") if "." not in path.stem)
+
+
 def read_course(folder):
-    """Return a Chapter for each numbered notebook in a folder after the overview, number 00, in their order."""
-    return [_chapter(path) for path in sorted(Path(folder).glob("[0-9]*.ipynb")) if not path.name.startswith("00")]
+    """Return a Chapter for each notebook in a folder after the overview, number 00, in their order."""
+    return [_chapter(path) for path in notebooks(folder) if not path.name.startswith("00")]
 
 
 def table(chapters):
@@ -66,7 +71,8 @@ def _chapter(path):
     prose, codes = (["".join(c["source"]) for c in cells if c["cell_type"] == kind] for kind in ("markdown", "code"))
     text, code = "\n".join(prose), "\n".join(codes)
     minutes = len(text.split()) / WORDS_PER_MINUTE + len(codes) / CELLS_PER_MINUTE
-    exercises = next(iter(sorted(path.parent.glob(f"exercises/{path.name[:2]}-*.ipynb"))), None)
+    sheets = notebooks(path.parent / "exercises")
+    exercises = next((sheet for sheet in sheets if sheet.name[:2] == path.name[:2]), None)
     return Chapter(
         file=path.name,
         title=text.splitlines()[0].lstrip("# "),

@@ -22,6 +22,7 @@ def course(folder):
     write(folder / "00-overview.ipynb", new_markdown_cell("# Overview"))
     write(folder / "01-flying.ipynb", new_markdown_cell(PROSE), new_code_cell(IMPORTS), new_code_cell(CODE))
     write(folder / "02-again.ipynb", new_markdown_cell("# Again"), new_code_cell("from mamttsp.tours import check"))
+    write(folder / "01-flying.nbconvert.ipynb", new_markdown_cell("# A copy"))
     write(folder / "exercises" / "01-fly.ipynb", new_markdown_cell("## Task 01.1"), new_markdown_cell("## Task 01.2"))
     return read_course(folder)
 

@@ -17,6 +17,8 @@ import ziamath
 from bs4 import BeautifulSoup
 from page_exporter import FOLDER, PageExporter, markdown
 
+from mamttsp.course import notebooks
+
 ROOT = FOLDER.parents[1]
 FONT = Path(ziamath.__file__).parent / "fonts" / "STIXTwoMath-Regular.ttf"
 
@@ -49,16 +51,16 @@ class Page:
         return "".join(markdown(text) for text in paragraphs if text.startswith("**You will learn**"))
 
 
-def read_pages(pattern):
-    """Return a page for each notebook that fits the pattern, in the order of their names."""
-    files = sorted((ROOT / "notebooks").glob(pattern))
+def read_pages(folder):
+    """Return a page for each notebook in a folder of the repository, in their order."""
+    files = notebooks(ROOT / folder)
     return [Page(nbformat.read(f, as_version=4), str(f.relative_to(ROOT).with_suffix(".html"))) for f in files]
 
 
 def build(site):
     """Write the whole site into a folder, which is emptied first."""
     shutil.rmtree(site, ignore_errors=True)
-    parts = [("Notebooks", read_pages("*.ipynb")), ("Exercises", read_pages("exercises/*.ipynb"))]
+    parts = [("Notebooks", read_pages("notebooks")), ("Exercises", read_pages("notebooks/exercises"))]
     pages = [page for _, group in parts for page in group]
     for before, after in zip(pages, pages[1:]):
         before.next, after.previous = after, before

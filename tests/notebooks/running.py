@@ -6,8 +6,10 @@ import subprocess
 import sys
 from pathlib import Path
 
+from mamttsp.course import notebooks
+
 ROOT = Path(__file__).parents[2]
-NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
+NOTEBOOKS = notebooks(ROOT / "notebooks")
 CHECKED = "nbval-check-output"
 LIMITS = {"cell": 90, "notebook": 280}  # seconds
 

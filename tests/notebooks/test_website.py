@@ -5,7 +5,9 @@ from urllib.parse import unquote, urlsplit
 
 import pytest
 from bs4 import BeautifulSoup
-from notebooks.running import ROOT
+from notebooks.running import NOTEBOOKS, ROOT
+
+from mamttsp.course import notebooks
 
 SOURCES = "img[src], script[src], iframe[src], source[src], video[src], audio[src], link[href]"
 
@@ -18,9 +20,8 @@ def pages(site):
 
 
 def test_every_notebook_has_a_page_and_the_contents_link_all_pages(site, pages):
-    folder = ROOT / "notebooks"
-    notebooks = [*folder.glob("*.ipynb"), *folder.glob("exercises/*.ipynb")]
-    expected = {path.relative_to(ROOT).with_suffix(".html").as_posix() for path in notebooks}
+    sheets = notebooks(ROOT / "notebooks" / "exercises")
+    expected = {path.relative_to(ROOT).with_suffix(".html").as_posix() for path in [*NOTEBOOKS, *sheets]}
     assert {path.as_posix() for path in pages} == expected | {"index.html"}
     contents = next(page for path, page in pages.items() if path.name == "index.html")
     assert {link["href"] for link in contents.select("a[href]")} >= expected
