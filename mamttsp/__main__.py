@@ -1,4 +1,4 @@
-"""The command line: `python -m mamttsp generate | solve | check | campaign | versions`.
+"""The command line: `python -m mamttsp generate | solve | check | campaign | figures | versions`.
 
 Exit status: 0 done; 1 no answer, or a solution that is wrong; 2 bad input or usage, with one line on standard error.
 """
@@ -98,6 +98,16 @@ def _campaign(arguments):
     return 0
 
 
+def _figures(arguments):
+    from .figures.build import build  # here: it needs experiments, as above
+
+    if not Path(arguments.out).is_dir():
+        raise InputError(f"--out {arguments.out}: there is no such folder")
+    for path in build(arguments.results, arguments.out):
+        print(f"{path}.pdf, {path}.png")
+    return 0
+
+
 def _versions(arguments):
     print(versions())
     return 0
@@ -117,7 +127,7 @@ def _check_writable(path):
 
 def _parser():
     parser = _Parser(prog="mamttsp", description="The multi-agent moving-target traveling salesman problem.")
-    commands = parser.add_subparsers(required=True, metavar="generate | solve | check | campaign | versions")
+    commands = parser.add_subparsers(required=True, metavar="generate | solve | check | campaign | figures | versions")
 
     command = commands.add_parser("generate", help="write a random instance of the paper's kind")
     command.add_argument("--targets", type=int, required=True, metavar="N")
@@ -147,6 +157,11 @@ def _parser():
     command.add_argument("--memory-limit", type=float, default=4000, metavar="MB", help="for each run (default: 4000)")
     command.add_argument("--quiet", action="store_true", help="neither progress nor summary")
     command.set_defaults(run=_campaign)
+
+    command = commands.add_parser("figures", help="draw the experiments' figures again from their rows")
+    command.add_argument("--results", default="paper_results", metavar="FOLDER", help="default: paper_results")
+    command.add_argument("--out", default="figures", metavar="FOLDER", help="default: figures")
+    command.set_defaults(run=_figures)
 
     command = commands.add_parser("versions", help="what to put into a bug report")
     command.set_defaults(run=_versions)

@@ -1,0 +1,42 @@
+"""All figures of the experiments, from the rows in a folder such as paper_results/.
+
+This module knows `experiments`, so it is not imported with the drawings: those need rows of any origin only.
+"""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import pandas as pd
+
+from ..experiments.published import read_published
+from ..experiments.statistics import read_table
+from ..validation import InputError
+from .sheets import comparison_sheets, idle_agent_sheet, our_sheets, published_sheets, true_gaps_sheet
+from .style import save
+
+
+def build(results, out):
+    """Draw every figure of the experiments into the folder `out`, and yield the path of each, without its ending.
+
+    results: folder with published.csv, exact.csv and reduced.csv. Figures whose rows are there are drawn before a
+    missing file is reported. InputError: a file is missing or has other columns, or a figure cannot be written.
+    """
+    results, out = Path(results), Path(out)
+    for name, ax in _figures(results):
+        try:
+            save(ax, out / name, dpi=300)
+        except OSError as error:
+            raise InputError(f"{out / name}: cannot be written: {error.strerror}") from error
+        finally:
+            plt.close(ax.figure)
+        yield out / name
+
+
+def _figures(results):
+    yield from published_sheets(read_published(results / "published.csv"))
+    exact = read_table(results / "exact.csv")
+    yield "paper-fig-1", idle_agent_sheet(exact, results / "exact.csv")
+    reduced = read_table(results / "reduced.csv")
+    yield from our_sheets(reduced)
+    yield from comparison_sheets(pd.concat([exact, reduced]))
+    yield "experiments-true-gaps", true_gaps_sheet(reduced, exact)

@@ -1,0 +1,91 @@
+"""The figures of the experiments from tables of rows, each with a title that says under what its runs were made."""
+
+import textwrap
+
+import matplotlib.pyplot as plt
+
+from ..experiments import profile, tours_of
+from ..experiments.published import CONDITIONS
+from ..experiments.statistics import by_setting, conditions, side_by_side, true_gaps
+from ..generate import paper_instance
+from ..tours import check
+from ..validation import InputError
+from .column import COLUMN, WIDTH, column_axes
+from .gaps import true_gap_view
+from .profiles import cactus_view, profile_view
+from .runtimes import panels_view
+from .tours import plan_view
+
+_PAIR = ("micp/scip", "baseline/scip")
+
+
+def published_sheets(rows):
+    """Yield the paper's Figures 2 and 3 from its published numbers."""
+    note = "Digitised; dotted bar: not above this; hollow marker: partly hidden."
+    yield from _paper_figures(rows, "published", lambda _: f"Published: {CONDITIONS}; means of 20 instances. {note}")
+
+
+def our_sheets(reduced):
+    """Yield the same figures from our rows of SCIP. A bar is drawn if all of its runs have a row."""
+    rows = reduced[reduced.route.isin(_PAIR)]
+    table = by_setting(rows, [run for run in profile("reduced") if run.solver == "scip"]).reset_index()
+    names = {"total_window": "total_window_s", "n": "targets", "route": "formulation"}
+
+    def title(bars):
+        whole = f"{(bars.rows == bars.runs).sum()} of {len(bars)} bars have all their rows"
+        counted = f"runs without a proof count at the limit, {bars.no_tours.sum()} without tours at 100 % gap"
+        return f"Ours: {conditions(rows)}; means of {bars.runs.max()} instances. {whole}; {counted}."
+
+    yield from _paper_figures(table.rename(columns=names), "ours", title)
+
+
+def _paper_figures(rows, whose, title):
+    """Yield Figures 2 (one agent, by window) and 3 (windows of 40 s, by agents); title: of the rows in a figure."""
+    one, more = rows[rows.agents == 1], rows[rows.agents > 1]
+    yield f"paper-fig-2-{whose}", panels_view(one, "total_window_s", _lines(f"{title(one)} One agent."))[0]
+    yield f"paper-fig-3-{whose}", panels_view(more, "agents", _lines(f"{title(more)} Windows of 40 s."))[0]
+
+
+def comparison_sheets(rows):
+    """Yield the drawings of all methods side by side, all held to the smallest limit among them."""
+    times, limit = side_by_side(rows), rows.time_limit.min()
+    title = f"{len(times)} instances with a row of every method; {conditions(rows.assign(time_limit=limit))}."
+    for name, ax in (("cactus", cactus_view(times, limit)), ("profile", profile_view(times))):
+        ax.figure.suptitle(_lines(title), fontsize=COLUMN["figure.titlesize"])
+        yield f"experiments-{name}", ax
+
+
+@plt.rc_context(COLUMN)
+def true_gaps_sheet(reduced, exact):
+    """Draw how far tours and bounds of SCIP's runs are from the certified optima."""
+    ours = reduced[reduced.route.isin(_PAIR)]
+    rows = true_gaps(ours, exact)
+    upper, lower = plt.figure(figsize=(WIDTH, 4.4), layout="constrained").subplots(2)
+    true_gap_view(rows, "incumbent_percent", ax=upper)
+    true_gap_view(rows, "bound_percent", ax=lower)
+    known = f"{len(rows)} of {len(ours)} runs have a certified optimum"
+    upper.figure.suptitle(_lines(f"{conditions(ours)}. {known}. Numbers on top: runs without tours."))
+    return upper
+
+
+@plt.rc_context(COLUMN)
+def idle_agent_sheet(exact, path):
+    """Draw the first optimum of three agents, 10 targets and windows of 40 s in which one stays at the depot."""
+    for _, row in exact[exact.solved & (exact.n == 10) & (exact.total_window == 40) & (exact.agents == 3)].iterrows():
+        tours = tours_of(row)
+        if sum(bool(tour.visits) for tour in tours) == 2:
+            break
+    else:
+        raise InputError(
+            f"{path}: no row with n 10, total_window 40, agents 3 has an optimum that leaves one agent idle"
+        )
+    instance = paper_instance(10, int(row["index"]), 40, 3)
+    length = check(instance, tours)
+    ax = plan_view(instance, tours, ax=column_axes(4.2))
+    ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=3, frameon=False)
+    ax.set_title(f"10 targets, windows of 40 s, 3 agents: optimal tours, {length:.1f} units in all")
+    return ax
+
+
+def _lines(title):
+    return textwrap.fill(title, 66)
