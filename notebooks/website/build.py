@@ -1,9 +1,10 @@
 """Builds the notebooks' website: `python notebooks/website/build.py site`, or `make html`.
 
-The site is laid out as the repository is, so links between files stay as they are, but for .ipynb, which becomes
-.html. It needs no network: mathematics is MathML, and its font lies beside the pages.
+The site is laid out as the repository is, so links between files stay as they are, but for .ipynb and .md, which
+become .html. It needs no network: mathematics is MathML, and its font lies beside the pages.
 """
 
+import posixpath
 import re
 import shutil
 import sys
@@ -15,6 +16,7 @@ import jinja2
 import nbformat
 import ziamath
 from bs4 import BeautifulSoup
+from nbformat.v4 import new_markdown_cell, new_notebook
 from page_exporter import FOLDER, PageExporter, markdown
 
 from mamttsp.course import notebooks
@@ -58,38 +60,47 @@ def read_pages(folder):
 
 
 def build(site):
-    """Write the whole site into a folder, which is emptied first."""
+    """Write the whole site into a folder, which is emptied first; return the number of pages."""
     shutil.rmtree(site, ignore_errors=True)
     parts = [("Notebooks", read_pages("notebooks")), ("Exercises", read_pages("notebooks/exercises"))]
     pages = [page for _, group in parts for page in group]
     for before, after in zip(pages, pages[1:]):
         before.next, after.previous = after, before
-    for page in pages:
+    for page in pages:  # which grows while texts are found that pages link to
         html, _ = PageExporter().from_notebook_node(page.notebook, {"page": page})
         write(site / page.path, html)
-        copy_linked_files(site, page.path, html)
-    contents = jinja2.Template((FOLDER / "contents.html.j2").read_text(encoding="utf-8"), autoescape=False)
+        known = {page.path for page in pages}
+        for path in linked(page, html):
+            source = ROOT / path
+            if path not in known and source.suffix == ".html" and source.with_suffix(".md").is_file():
+                pages.append(text_page(path))
+            elif source.is_file():
+                write(site / path, source.read_bytes())
+    contents = jinja2.Template((FOLDER / "contents.html.j2").read_text(encoding="utf-8"))
     write(site / "index.html", contents.render(parts=parts))
-    shutil.copy(FOLDER / "style.css", site)
-    shutil.copy(FONT, site)
-    return len(pages)
+    for file in (FOLDER / "style.css", FONT):
+        write(site / file.name, file.read_bytes())
+    return len(pages) + 1
 
 
-def write(path, text):
+def text_page(path):
+    """Return the page of a Markdown file."""
+    text = (ROOT / path).with_suffix(".md").read_text(encoding="utf-8")
+    return Page(new_notebook(cells=[new_markdown_cell(text)]), path)
+
+
+def linked(page, html):
+    """Return the paths, from the top, of what a page links to inside the site."""
+    tags = BeautifulSoup(html, "html.parser").select("a[href], img[src]")
+    urls = [urlsplit(tag.get("href") or tag.get("src")) for tag in tags]
+    here = posixpath.dirname(page.path)
+    local = {posixpath.normpath(posixpath.join(here, unquote(u.path))) for u in urls if u.path and not u.scheme}
+    return sorted(local)
+
+
+def write(path, content):
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(text, encoding="utf-8")
-
-
-def copy_linked_files(site, path, html):
-    """Copy what a page links to and is not a page: figures, rows, modules."""
-    soup = BeautifulSoup(html, "html.parser")
-    for link in [tag.get("href") or tag.get("src") for tag in soup.select("a[href], img[src]")]:
-        url = urlsplit(link)
-        source = (ROOT / path).parent / unquote(url.path)
-        if not url.scheme and url.path and source.is_file():
-            target = site / source.resolve().relative_to(ROOT)
-            target.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(source, target)
+    path.write_bytes(content.encode("utf-8") if isinstance(content, str) else content)
 
 
 if __name__ == "__main__":

@@ -24,8 +24,8 @@ class PageRenderer(IPythonRenderer):
         return self.block_math(rf"\begin{{{name}}}{body}\end{{{name}}}")
 
     def link(self, text, url, title=None):
-        """Link to a notebook's page; links out of the site stay as they are."""
-        return super().link(text, re.sub(r"^(?![a-z]+:)([^#]*)\.ipynb(?=#|$)", r"\1.html", url), title)
+        """Link to the page of a notebook or a text; links out of the site stay as they are."""
+        return super().link(text, re.sub(r"^(?![a-z]+:)([^#]*)\.(ipynb|md)(?=#|$)", r"\1.html", url), title)
 
 
 def markdown(source):

@@ -22,9 +22,9 @@ def pages(site):
 def test_every_notebook_has_a_page_and_the_contents_link_all_pages(site, pages):
     sheets = notebooks(ROOT / "notebooks" / "exercises")
     expected = {path.relative_to(ROOT).with_suffix(".html").as_posix() for path in [*NOTEBOOKS, *sheets]}
-    assert {path.as_posix() for path in pages} == expected | {"index.html"}
+    assert {path.as_posix() for path in pages} >= expected | {"index.html"}
     contents = next(page for path, page in pages.items() if path.name == "index.html")
-    assert {link["href"] for link in contents.select("a[href]")} >= expected
+    assert {link["href"] for link in contents.select("a[href]")} == expected
 
 
 def test_all_links_lead_somewhere(site, pages):
