@@ -1,6 +1,7 @@
 """From tours to a value for every variable of each formulation: the maps behind the paper's proof of validity."""
 
 import dataclasses
+import itertools
 
 import numpy as np
 import pyomo.environ as pyo
@@ -8,13 +9,14 @@ import pyomo.environ as pyo
 from ..instance import InputError
 
 
-def assign(formulation, tours):
+def assign(formulation, tours, cycles=()):
     """Give every variable of the formulation its value for these tours; at most m of them, each target once.
 
     `tours`: a list of Tour. A visit goes to the segment of its target whose time interval holds the visit time.
+    `cycles`: sequences of Visit that start and end nowhere, as in the hole of the paper's proof; agent 1 gets them.
     InputError: more tours than agents, or a hop that is not an edge of the graph.
     """
-    flown = _fly(formulation.graph, formulation.n_agents, [tour for tour in tours if tour.visits])
+    flown = _fly(formulation.graph, formulation.n_agents, [tour for tour in tours if tour.visits], cycles)
     values = _VALUES[formulation.method](formulation.graph, flown)
     for name, value in values.items():
         _set(getattr(formulation.model, name), np.asarray(value, dtype=float))
@@ -41,24 +43,32 @@ class _Flown:
     p: np.ndarray
 
 
-def _fly(graph, n_agents, tours):
+def _fly(graph, n_agents, tours, cycles):
     if len(tours) > n_agents:
         raise InputError(f"tours: {len(tours)} tours for {n_agents} agents")
     edge_number = {tuple(edge): e for e, edge in enumerate(graph.edges.tolist())}
     y = np.zeros((len(graph.edges), n_agents))
     # A node that the agent does not visit takes the start of its interval: inside (6), and big-M frees all the rest.
     t = np.tile(graph.t_lo[:, None], n_agents)
-    for k, tour in enumerate(tours):
-        route = [segment_of(graph, visit.target, visit.time) for visit in tour.visits]
-        times = [visit.time for visit in tour.visits] + [tour.return_time]
-        for hop in zip([graph.s, *route], [*route, graph.s_prime]):
+    for k, nodes, times in _walks(graph, tours, cycles):
+        for hop in itertools.pairwise(nodes):
             if hop not in edge_number:
                 raise InputError(f"tours: no edge from node {hop[0]} to node {hop[1]} in the graph")
             y[edge_number[hop], k] = 1.0
-        t[[*route, graph.s_prime], k] = times
+        t[nodes[1:], k] = times
     t = np.clip(t, graph.t_lo[:, None], graph.t_hi[:, None])
     p = graph.p_lo[:, None] + (t - graph.t_lo[:, None])[..., None] * graph.v[:, None]
     return _Flown(y, t, p)
+
+
+def _walks(graph, tours, cycles):
+    """Yield (agent, nodes in order, times of all nodes but the first) of each tour and each cycle."""
+    for k, tour in enumerate(tours):
+        route = [segment_of(graph, visit.target, visit.time) for visit in tour.visits]
+        yield k, [graph.s, *route, graph.s_prime], [*(visit.time for visit in tour.visits), tour.return_time]
+    for cycle in cycles:
+        route = [segment_of(graph, visit.target, visit.time) for visit in cycle]
+        yield 0, [route[-1], *route], [visit.time for visit in cycle]
 
 
 def segment_of(graph, u, t):
