@@ -31,6 +31,11 @@ def read_table(path):
     return _with_route(rows).assign(**more, counted_gap=rows.gap_percent.fillna(100.0))
 
 
+def of_runs(rows, runs):
+    """Return those rows that are of one of the runs, so at most one for each instance and route of a profile."""
+    return rows.merge(_keys(runs), on=list(KEY))
+
+
 def by_setting(rows, runs, shift=1.0):
     """Return a DataFrame with a line for each window, number of agents, n and route that `runs` hold.
 
@@ -39,8 +44,7 @@ def by_setting(rows, runs, shift=1.0):
     runtime_geometric_s: the geometric mean of run time + shift, minus shift (both in s), which a few long runs do not
     rule. The means are NaN unless all runs have a row.
     """
-    wanted = _with_route(pd.DataFrame([dataclasses.asdict(run) for run in runs], columns=KEY).fillna(""))
-    both = wanted.merge(rows.drop(columns="route"), how="left", on=list(KEY))
+    both = _with_route(_keys(runs)).merge(rows.drop(columns="route"), how="left", on=list(KEY))
     groups = both.assign(empty=both.status.notna() & both.objective.isna()).groupby([*SETTING, "route"], sort=False)
     table = groups.agg(
         runs=("index", "size"),
@@ -70,7 +74,7 @@ def true_gaps(rows, exact):
     exact: rows of the exact method. How far a run's tours are above the optimum, and its bound below, in % of the
     optimum. Tours that were not found are NaN; no bound is the bound 0. The optimum is certain to 0.01 %.
     """
-    optima = exact[exact.solved].set_index(INSTANCE).objective.rename("optimum")
+    optima = exact[exact.solved].groupby(INSTANCE).objective.min().rename("optimum")
     known = rows.join(optima, on=INSTANCE, how="inner")
     above, below = known.objective - known.optimum, known.optimum - known.bound.fillna(0.0).clip(lower=0.0)
     return known.assign(incumbent_percent=100 * above / known.optimum, bound_percent=100 * below / known.optimum)
@@ -80,6 +84,10 @@ def conditions(rows):
     """Return what rows are to be compared under, as one line: solvers, limit, threads and machine."""
     limits, threads = (_listed(rows[name].map("{:g}".format)) for name in ("time_limit", "threads"))
     return f"{_listed(rows.solver_version)}, limit {limits} s, threads {threads}, {_listed(rows.cpu)}"
+
+
+def _keys(runs):
+    return pd.DataFrame([dataclasses.asdict(run) for run in runs], columns=KEY).fillna("")
 
 
 def _with_route(rows):

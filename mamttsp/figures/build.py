@@ -6,10 +6,10 @@ This module knows `experiments`, so it is not imported with the drawings: those 
 from pathlib import Path
 
 import matplotlib.pyplot as plt
-import pandas as pd
 
+from ..experiments import profile
 from ..experiments.published import read_published
-from ..experiments.statistics import read_table
+from ..experiments.statistics import of_runs, read_table
 from ..validation import InputError
 from .sheets import comparison_sheets, idle_agent_sheet, our_sheets, published_sheets, true_gaps_sheet
 from .style import save
@@ -36,7 +36,7 @@ def _figures(results):
     yield from published_sheets(read_published(results / "published.csv"))
     exact = read_table(results / "exact.csv")
     yield "paper-fig-1", idle_agent_sheet(exact, results / "exact.csv")
-    reduced = read_table(results / "reduced.csv")
+    reduced = of_runs(read_table(results / "reduced.csv"), profile("reduced"))
     yield from our_sheets(reduced)
-    yield from comparison_sheets(pd.concat([exact, reduced]))
+    yield from comparison_sheets(reduced, exact)
     yield "experiments-true-gaps", true_gaps_sheet(reduced, exact)

@@ -3,10 +3,11 @@
 import textwrap
 
 import matplotlib.pyplot as plt
+import pandas as pd
 
 from ..experiments import profile, tours_of
 from ..experiments.published import CONDITIONS
-from ..experiments.statistics import by_setting, conditions, side_by_side, true_gaps
+from ..experiments.statistics import by_setting, conditions, of_runs, side_by_side, true_gaps
 from ..generate import paper_instance
 from ..tours import check
 from ..validation import InputError
@@ -46,8 +47,9 @@ def _paper_figures(rows, whose, title):
     yield f"paper-fig-3-{whose}", panels_view(more, "agents", _lines(f"{title(more)} Windows of 40 s."))[0]
 
 
-def comparison_sheets(rows):
+def comparison_sheets(reduced, exact):
     """Yield the drawings of all methods side by side, all held to the smallest limit among them."""
+    rows = pd.concat([reduced, of_runs(exact, profile("exact"))])
     times, limit = side_by_side(rows), rows.time_limit.min()
     title = f"{len(times)} instances with a row of every method; {conditions(rows.assign(time_limit=limit))}."
     for name, ax in (("cactus", cactus_view(times, limit)), ("profile", profile_view(times))):

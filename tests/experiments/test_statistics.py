@@ -8,7 +8,7 @@ import pytest
 from experiments.made_up_rows import EXACT, crashed, solved, stopped, write_rows
 
 from mamttsp.experiments import Run
-from mamttsp.experiments.statistics import by_setting, conditions, read_table, side_by_side, true_gaps
+from mamttsp.experiments.statistics import by_setting, conditions, of_runs, read_table, side_by_side, true_gaps
 
 RUNS = [Run(5, index, 40, 1, "micp", "pyomo", "scip", 60) for index in (0, 1)]
 
@@ -58,6 +58,11 @@ def test_rows_of_other_runs_do_not_count(table):
     assert _only(by_setting(rows, RUNS)).runtime_s == 4.0
 
 
+def test_rows_of_a_list_of_runs_are_found_among_others(table):
+    rows = table(solved(3.0), solved(9.0, modeler="cvxpy"), solved(5.0, index=1), solved(1.0, index=2))
+    assert of_runs(rows, RUNS).runtime_s.tolist() == [3, 5] and of_runs(rows[:0], RUNS).empty
+
+
 def test_each_window_number_of_agents_size_and_route_is_a_setting(table):
     runs = [Run(5, 0, 40, 1, "micp", "pyomo", "scip", 60), Run(5, 0, 40, 1, "exact", None, None, 300)]
     runs += [Run(5, 0, 20, 1, "micp", "pyomo", "scip", 60), Run(10, 0, 40, 2, "micp", "pyomo", "scip", 60)]
@@ -81,6 +86,7 @@ def test_times_stand_side_by_side_where_every_route_has_a_row(table):
 
 def test_true_gaps_of_incumbents_and_bounds(table):
     certified = [solved(1.0, 200.0, **EXACT | {"index": index}) for index in range(4)]
+    certified.append(solved(9.0, 200.01, **EXACT | {"time_limit": 600}))  # proved twice: the better one counts
     exact = table(*certified, stopped(200.0, 150.0, **EXACT | {"index": 4}))
     runs = [(220.0, 150.0), (None, 150.0), (200.0, None), (200.0, -5.0), (200.0, 150.0), (200.0, 150.0)]
     found = true_gaps(table(*(stopped(*run, index=index) for index, run in enumerate(runs))), exact)

@@ -43,7 +43,8 @@ def _fill(folder, three_agents):
     keys = [{name: getattr(run, name) for name in ("index", "total_window", "agents", "method")} for run in runs]
     micp, base = ([key for key in keys if key["method"] == method] for method in ("micp", "baseline"))
     rows = [solved(2.0, **key) for key in micp[:-1]] + [stopped(110.0, 90.0, **key) for key in base[:-1]]
-    write_rows(folder / "reduced.csv", [*rows, stopped(None, 10.0, **base[-1])])
+    others = [solved(9.0, modeler="cvxpy"), solved(9.0, time_limit=600)]  # of another campaign
+    write_rows(folder / "reduced.csv", [*rows, stopped(None, 10.0, **base[-1]), *others])
     write_rows(folder / "exact.csv", [three_agents, solved(0.5, **EXACT), solved(0.5, **EXACT | {"total_window": 20})])
     shutil.copy(PUBLISHED, folder)
     (folder / "out").mkdir()
