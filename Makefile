@@ -36,7 +36,8 @@ reproduce: venv
 	$(BIN)/python -m mamttsp generate --targets 10 --window 40 --agents 3 --seed 7 -o build/instance.json
 	$(BIN)/python -m mamttsp solve build/instance.json --time-limit 120 -o build/solution.json
 	$(BIN)/python -m mamttsp check build/instance.json build/solution.json
-	@echo "== 2/3 Drawing the experiments' figures from the rows in paper_results/ =="
+	@echo "== 2/3 Making the experiments' tables and figures from the rows in paper_results/ =="
+	$(BIN)/python -m mamttsp tables
 	$(BIN)/python -m mamttsp figures
 	@echo "== 3/3 Running the notebooks, which draw theirs =="
 	@$(MAKE) --no-print-directory notebooks

@@ -1,4 +1,4 @@
-"""The command line: `python -m mamttsp generate | solve | check | campaign | figures | versions`.
+"""The command line: `python -m mamttsp generate | solve | check | campaign | tables | figures | versions`.
 
 Exit status: 0 done; 1 no answer, or a solution that is wrong; 2 bad input or usage, with one line on standard error.
 """
@@ -98,6 +98,14 @@ def _campaign(arguments):
     return 0
 
 
+def _tables(arguments):
+    from .experiments.tables import build_tables  # here: as above
+
+    for path in build_tables(arguments.results):
+        print(path)
+    return 0
+
+
 def _figures(arguments):
     from .figures.build import build  # here: it needs experiments, as above
 
@@ -127,7 +135,8 @@ def _check_writable(path):
 
 def _parser():
     parser = _Parser(prog="mamttsp", description="The multi-agent moving-target traveling salesman problem.")
-    commands = parser.add_subparsers(required=True, metavar="generate | solve | check | campaign | figures | versions")
+    names = "generate | solve | check | campaign | tables | figures | versions"
+    commands = parser.add_subparsers(required=True, metavar=names)
 
     command = commands.add_parser("generate", help="write a random instance of the paper's kind")
     command.add_argument("--targets", type=int, required=True, metavar="N")
@@ -157,6 +166,10 @@ def _parser():
     command.add_argument("--memory-limit", type=float, default=4000, metavar="MB", help="for each run (default: 4000)")
     command.add_argument("--quiet", action="store_true", help="neither progress nor summary")
     command.set_defaults(run=_campaign)
+
+    command = commands.add_parser("tables", help="make best_known.csv and claims.csv again from their rows")
+    command.add_argument("--results", default="paper_results", metavar="FOLDER", help="default: paper_results")
+    command.set_defaults(run=_tables)
 
     command = commands.add_parser("figures", help="draw the experiments' figures again from their rows")
     command.add_argument("--results", default="paper_results", metavar="FOLDER", help="default: paper_results")

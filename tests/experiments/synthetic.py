@@ -1,0 +1,20 @@
+"""Rows of campaigns that never ran, as statistics.read_table returns them."""
+
+from dataclasses import asdict
+
+from mamttsp.experiments import Run
+from mamttsp.experiments.results import Results
+from mamttsp.experiments.statistics import read_table
+
+
+def route(n, index, total_window, agents, method, solver=None, time_limit=60.0):
+    """Return the Run of a method: exact without solver, others stated in Pyomo."""
+    return Run(n, index, total_window, agents, method, solver and "pyomo", solver, time_limit)
+
+
+def table(path, *answers):
+    """Return the table of (Run, answer's fields) pairs, written to `path` and read back."""
+    with Results(path) as results:
+        for run, fields in answers:
+            results.append(asdict(run) | {"status": "optimal", "tours": "[]"} | fields)
+    return read_table(path)
