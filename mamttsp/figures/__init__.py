@@ -1,12 +1,15 @@
 """Drawings. Each takes `ax=None`, draws on it or on a figure of its own, and returns the axes."""
 
+from .animation import film, moment_view
 from .gaps import true_gap_view
 from .graph import graph_view, reach_view
 from .ideas import charge_view, descent_view, perspective_view, sizes_view
 from .labels import alive_view, ascent_view, layers_view
 from .prices import errors_view, relaxed_view, tangents_view, tilt_view
 from .profiles import cactus_view, profile_view
+from .relaxations import flow_view, growth_view, relaxation_view
 from .runtimes import panels_view, runtime_gap_view
+from .sliders import explore
 from .style import COLOURS, LINES, MARKERS, save
 from .tours import plan_view, space_time_view
 from .trace import trace_view
@@ -21,13 +24,19 @@ __all__ = [
     "charge_view",
     "descent_view",
     "errors_view",
+    "explore",
+    "film",
+    "flow_view",
     "graph_view",
+    "growth_view",
     "layers_view",
+    "moment_view",
     "panels_view",
     "perspective_view",
     "plan_view",
     "profile_view",
     "reach_view",
+    "relaxation_view",
     "relaxed_view",
     "runtime_gap_view",
     "save",

@@ -1,0 +1,116 @@
+"""Tours in motion: the plane at one moment, and a film of such moments that plays in a page without a kernel."""
+
+import base64
+import dataclasses
+import hashlib
+import io
+import re
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.animation import FuncAnimation
+from PIL import Image
+
+from .style import COLOURS, DEPOT, MARKERS, PATH, WINDOW
+
+#: matplotlib's player takes its buttons' pictures from the network; these signs need none
+_SIGNS = {"minus": "−", "plus": "+", "pause": "⏸", "play": "▶", "play fa-flip-horizontal": "◀"}
+_SIGNS |= {"fast-backward": "⏮", "step-backward": "⏪", "step-forward": "⏩", "fast-forward": "⏭"}
+
+
+@dataclasses.dataclass(frozen=True)
+class Film:
+    """A page of HTML with a film and its player: a notebook shows it, and it can be written to a file."""
+
+    html: str = dataclasses.field(repr=False)
+
+    def _repr_html_(self):
+        return self.html
+
+
+def moment_view(instance, tours, time, ax=None):
+    """Draw the plane at `time` in s: targets, agents and what these have flown so far; return the axes.
+
+    A target is a dot on its grey path: filled while one of its windows is open, hollow before and after, gone once it
+    is visited. Thick and yellow are the parts of the path in open windows. Agents move at constant speed on each leg.
+    """
+    ax = ax or plt.figure(figsize=(6, 5.4), dpi=72, layout="constrained").add_subplot()
+    visited = {visit.target for tour in tours for visit in tour.visits if visit.time <= time}
+    for u, target in enumerate(instance.targets):
+        ax.plot(*target.points.T, **PATH)
+        if u not in visited:
+            _draw_target(ax, u, target, time)
+    for k, tour in enumerate(tours):
+        times, stops = _stops(instance, tour)
+        flown = np.vstack([stops[times < time], _between(times, stops, time)])
+        ax.plot(*flown.T, color=COLOURS[k % len(COLOURS)], linewidth=1.8, zorder=4)
+        style = {"marker": MARKERS[k % len(MARKERS)], "color": COLOURS[k % len(COLOURS)], "linestyle": "none"}
+        ax.plot(*flown[-1:].T, markersize=9, zorder=7, label=f"agent {k + 1}", **style)
+    ax.plot(*instance.depot, **DEPOT)
+    corners = np.vstack([instance.depot, *(target.points for target in instance.targets)])
+    margin = 0.04 * instance.size
+    low, high = corners.min(axis=0) - margin, corners.max(axis=0) + margin
+    ax.set(xlabel="x (units)", ylabel="y (units)", xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
+    ax.set_title(f"{time:.0f} s: {len(visited)} of {instance.n_targets} targets visited")
+    return ax
+
+
+def film(instance, tours, step=3.0):
+    """Return a Film of the tours: moments `step` seconds apart, from the start until the last agent is back.
+
+    It plays without a kernel and without the network; where scripts are off, its first picture stands there. The same
+    tours give the same bytes.
+    """
+    last = max((tour.return_time for tour in tours), default=0.0)
+    ax = plt.figure(figsize=(6, 5.4), dpi=72).add_subplot()
+
+    def draw(time):
+        ax.clear()
+        moment_view(instance, tours, time, ax)
+
+    moments = step * np.arange(np.ceil(last / step) + 1)
+    page = FuncAnimation(ax.figure, draw, moments, init_func=lambda: None).to_jshtml(fps=8, default_mode="once")
+    plt.close(ax.figure)
+    return Film(_self_contained(page))
+
+
+def _draw_target(ax, u, target, time):
+    """Draw a target that waits for its visit where it is, and the open window that it is in."""
+    place = target.position(time)
+    now = [(start, end) for start, end in target.windows if start <= time <= end]
+    for start, end in now:
+        bends = target.times[(target.times > start) & (target.times < end)]
+        ax.plot(*target.position(np.r_[start, bends, end]).T, **WINDOW)
+    ax.plot(*place, "o", markersize=8, color="0.25", markerfacecolor="0.25" if now else "white", zorder=5)
+    ax.annotate(str(u), place, xytext=(7, 7), textcoords="offset points", fontsize=9)
+
+
+def _stops(instance, tour):
+    """Return (times, stops): when and where (rows x, y) the agent's legs end, the depot first and last."""
+    times = [0.0, *(visit.time for visit in tour.visits), tour.return_time]
+    return np.array(times), np.array([instance.depot, *(visit.position for visit in tour.visits), instance.depot])
+
+
+def _between(times, stops, time):
+    return np.array([np.interp(time, times, stops[:, axis]) for axis in (0, 1)])
+
+
+def _self_contained(page):
+    """Return the player's page without random names and foreign files, with its first picture in its place."""
+    page = re.sub(r"<link[^>]*>", "", page.replace("\\\n", ""))  # pictures come in lines of 76 characters
+    page = re.sub(r"(?<=data:image/png;base64,)[^\"]*", lambda found: _few_colours(found[0]), page)
+    page = re.sub(r'<i class="fa fa-([^"]*)"></i>', lambda found: _SIGNS[found[1]], page)
+    random_name = re.search(r"_anim_img(\w+)", page)[1]
+    page = page.replace(random_name, hashlib.sha256(page.replace(random_name, "").encode()).hexdigest()[:12])
+    first = re.search(r'frames\[0\] = "([^"]*)"', page)[1]
+    page = page.replace("width: 374px", "width: min(374px, 90%)")  # the slider fits a phone too
+    start = f'<img alt="The tours from above, in motion" style="max-width: 100%; height: auto" src="{first}" '
+    return page.replace("<img ", start, 1)
+
+
+def _few_colours(picture):
+    """Return a PNG picture (base64) with 64 colours instead of millions, which takes a third of the room."""
+    small = io.BytesIO()
+    full = Image.open(io.BytesIO(base64.b64decode(picture)))
+    full.convert("RGB").quantize(64, dither=Image.Dither.NONE).save(small, "png", optimize=True)
+    return base64.b64encode(small.getvalue()).decode()

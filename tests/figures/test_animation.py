@@ -1,0 +1,93 @@
+"""A moment shows who is where, and a film is a page that needs neither a kernel nor the network."""
+
+import base64
+import io
+import re
+
+import matplotlib.pyplot as plt
+import pytest
+from examples import instance, moving, still
+from PIL import Image
+
+from mamttsp import Tour, Visit
+from mamttsp.figures import COLOURS, film, moment_view
+
+INSTANCE = instance(moving((10, 0), (0, 0.2), [(5, 15), (30, 50)]), still(0, 20, [(0, 60)]), n_agents=2)
+TOURS = [Tour((Visit(0, 10.0, (10.0, 2.0)), Visit(1, 20.0, (0.0, 20.0))), 30.0)]
+
+
+@pytest.fixture(autouse=True)
+def close_figures():
+    yield
+    plt.close("all")
+
+
+@pytest.fixture(scope="module")
+def page():
+    return film(INSTANCE, TOURS, step=14.0)._repr_html_()
+
+
+def _line(ax, **wanted):
+    """Return the corners of the lines with these properties, one list each."""
+    found = [
+        line for line in ax.lines if all(getattr(line, f"get_{name}")() == value for name, value in wanted.items())
+    ]
+    return [line.get_xydata().tolist() for line in found]
+
+
+def test_an_agent_has_flown_part_of_its_tour():
+    ax = moment_view(INSTANCE, TOURS, 15.0)
+    assert _line(ax, color=COLOURS[0], linestyle="-") == [[[0, 0], [10, 2], [5, 11]]]
+    assert _line(ax, label="agent 1") == [[[5, 11]]]
+    assert ax.get_title() == "15 s: 1 of 2 targets visited"
+
+
+def test_an_agent_that_is_back_stays_at_the_depot():
+    assert _line(moment_view(INSTANCE, TOURS, 90.0), label="agent 1") == [[[0, 0]]]
+
+
+@pytest.mark.parametrize("time, filled", [(3.0, False), (8.0, True), (20.0, False), (40.0, True)])
+def test_a_target_is_filled_while_a_window_is_open(time, filled):
+    (dot,) = [
+        line for line in moment_view(INSTANCE, [], time).lines if line.get_xydata().tolist() == [[10, 0.2 * time]]
+    ]
+    assert (dot.get_markerfacecolor() != "white") == filled
+
+
+def test_a_visited_target_is_gone():
+    assert [text.get_text() for text in moment_view(INSTANCE, TOURS, 9.0).texts] == ["0", "1"]
+    assert [text.get_text() for text in moment_view(INSTANCE, TOURS, 10.0).texts] == ["1"]
+
+
+def test_it_draws_on_the_axes_it_is_given():
+    ax = plt.figure().add_subplot()
+    assert moment_view(INSTANCE, TOURS, 1.0, ax=ax) is ax and len(plt.get_fignums()) == 1
+
+
+def test_a_film_shows_every_moment_until_the_last_agent_is_back(page):
+    frames = re.findall(r'frames\[\d\] = "data:image/png;base64,([^"]+)"', page)
+    assert len(frames) == 4  # 0, 14, 28 and 42 s
+    pictures = [Image.open(io.BytesIO(base64.b64decode(frame))).convert("RGB") for frame in frames]
+    assert len({picture.tobytes() for picture in pictures}) == 4
+    assert {picture.size for picture in pictures} == {(432, 388)}
+
+
+def test_a_film_is_the_same_each_time(page):
+    assert film(INSTANCE, TOURS, step=14.0).html == page
+    assert film(INSTANCE, TOURS, step=15.0).html.split("_anim_img")[1][:12] != page.split("_anim_img")[1][:12]
+
+
+def test_a_film_needs_nothing_from_elsewhere(page):
+    assert "<link" not in page and "//" not in re.sub(r"base64,[^\"]*", "", re.sub(r"\s// .*", "", page))
+    assert "fa-" not in page and page.count("<button") == 9 and "▶" in page
+
+
+def test_a_film_has_a_picture_where_scripts_are_off(page):
+    first = re.search(r'<img alt="[^"]+" style="[^"]+" src="([^"]+)"', page)[1]
+    assert f'frames[0] = "{first}"' in page
+
+
+def test_a_film_of_nobody_is_one_picture():
+    page = film(INSTANCE, []).html
+    assert len(re.findall(r"frames\[\d+\] =", page)) == 1
+    assert plt.get_fignums() == []
