@@ -81,9 +81,10 @@ def true_gaps(rows, exact):
 
 
 def conditions(rows):
-    """Return what rows are to be compared under, as one line: solvers, limit, threads and machine."""
-    limits, threads = (_listed(rows[name].map("{:g}".format)) for name in ("time_limit", "threads"))
-    return f"{_listed(rows.solver_version)}, limit {limits} s, threads {threads}, {_listed(rows.cpu)}"
+    """Return what rows are to be compared under, as one line: solvers, limit, threads and machine, as far as known."""
+    limits, threads = (_listed(rows[name].dropna().map("{:g}".format)) for name in ("time_limit", "threads"))
+    limit, on = limits and f"limit {limits} s", threads and f"threads {threads}"
+    return ", ".join(filter(None, (_listed(rows.solver_version), limit, on, _listed(rows.cpu)))) or "no rows"
 
 
 def _keys(runs):
@@ -99,4 +100,4 @@ def _mean(values):
 
 
 def _listed(texts):
-    return " and ".join(sorted(set(texts) - {"", "nan"})) or "unknown"
+    return " and ".join(sorted(set(texts) - {""}))

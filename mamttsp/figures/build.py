@@ -8,10 +8,11 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 
 from ..experiments import profile
-from ..experiments.published import read_published
+from ..experiments.published import read_predecessor, read_published
+from ..experiments.relaxations import bound_over_optimum
 from ..experiments.statistics import of_runs, read_table
 from ..validation import InputError
-from .sheets import comparison_sheets, idle_agent_sheet, our_sheets, published_sheets, true_gaps_sheet
+from .sheets import comparison_sheets, idle_agent_sheet, our_sheets, published_sheets, relaxation_sheet, true_gaps_sheet
 from .style import save
 
 
@@ -40,3 +41,7 @@ def _figures(results):
     yield from our_sheets(reduced)
     yield from comparison_sheets(reduced, exact)
     yield "experiments-true-gaps", true_gaps_sheet(reduced, exact)
+    if (path := results / "relaxations.csv").exists():
+        known = bound_over_optimum(path, results / "exact.csv")
+        predecessor = read_predecessor(results / "predecessor.csv")
+        yield "experiments-relaxations", relaxation_sheet(read_table(path), known, predecessor)

@@ -14,6 +14,7 @@ from ..validation import InputError
 from .column import COLUMN, WIDTH, column_axes
 from .gaps import true_gap_view
 from .profiles import cactus_view, profile_view
+from .relaxations import relaxation_view
 from .runtimes import panels_view
 from .tours import plan_view
 
@@ -68,6 +69,28 @@ def true_gaps_sheet(reduced, exact):
     known = f"{len(rows)} of {len(ours)} runs have a certified optimum"
     upper.figure.suptitle(_lines(f"{conditions(ours)}. {known}. Numbers on top: runs without tours."))
     return upper
+
+
+@plt.rc_context(COLUMN)
+def relaxation_sheet(bounds, known, predecessor):
+    """Draw relaxed bounds over certified optima by window and by agents, and the predecessor's published ones.
+
+    bounds: rows of relaxations; known: those whose optimum is certified, with the ratio.
+    """
+    parts = {
+        "One agent": (known[known.agents == 1], "total_window"),
+        "Windows of 40 s": (known[known.total_window == 40], "agents"),
+        "Published: the predecessor, one agent": (predecessor, "total_window"),
+    }
+    axes = plt.figure(figsize=(WIDTH, 6.6), layout="constrained").subplots(len(parts))
+    for ax, (title, (rows, by)) in zip(axes, parts.items()):
+        relaxation_view(rows, by, ax=ax)
+        ax.set_title(title)
+        ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
+    axes[-1].set_ylabel("relaxed bound / best bound")
+    solvers = conditions(bounds)
+    axes[0].figure.suptitle(_lines(f"{len(known)} of {len(bounds)} relaxations have a certified optimum. {solvers}."))
+    return axes[0]
 
 
 @plt.rc_context(COLUMN)

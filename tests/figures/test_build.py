@@ -99,6 +99,22 @@ def test_methods_are_compared_on_the_instances_that_all_have(drawn):
     assert "4 of 69 runs have a certified optimum" in _title(drawn["experiments-true-gaps"])
 
 
+def test_relaxed_bounds_are_drawn_if_there_are_any(folder, monkeypatch):
+    figures = {}
+    monkeypatch.setattr(building, "save", lambda ax, path, dpi: figures.update({path.name: ax.figure}))
+    shutil.copy(PUBLISHED.with_name("predecessor.csv"), folder)
+    relaxed = {"modeler": "cvxpy", "solver": "clarabel", "time_limit": None, "status": "relaxed", "objective": None}
+    rows = [{"method": "micp", "bound": 80.0}, {"method": "baseline", "bound": 0.0}, {"index": 7, "bound": 9.0}]
+    write_rows(folder / "relaxations.csv", [solved(1.0, **relaxed | row) for row in rows])
+    list(building.build(folder, folder / "out"))
+    figure = figures["experiments-relaxations"]
+    assert _title(figure) == "2 of 3 relaxations have a certified optimum. scip 10.0, threads 1, a laptop."
+    drawn = [{line.get_label(): list(line.get_ydata()) for line in ax.lines} for ax in figure.axes]
+    assert drawn[0] == {"windows of 40 s": [0.8], "baseline, all": [0.0]}
+    assert drawn[1] == {"1 agent": [0.8], "baseline, all": [0.0]}
+    assert drawn[2]["windows of 50 s"] == [0.78, 0.63, 0.61, 0.54]
+
+
 def _one_line(capsys):
     err = capsys.readouterr().err
     assert err.count("\n") == 1 and "Traceback" not in err
