@@ -13,6 +13,7 @@ from .sliders import explore
 from .style import COLOURS, LINES, MARKERS, save
 from .tours import plan_view, space_time_view
 from .trace import trace_view
+from .validity import cycle_view, leak_view
 
 __all__ = [
     "COLOURS",
@@ -22,6 +23,7 @@ __all__ = [
     "ascent_view",
     "cactus_view",
     "charge_view",
+    "cycle_view",
     "descent_view",
     "errors_view",
     "explore",
@@ -30,6 +32,7 @@ __all__ = [
     "graph_view",
     "growth_view",
     "layers_view",
+    "leak_view",
     "moment_view",
     "panels_view",
     "perspective_view",
