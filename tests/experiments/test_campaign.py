@@ -234,7 +234,10 @@ def test_smoke_does_every_run(tmp_path):
     assert main([*_command(path, "smoke"), "--jobs", "2"]) == 0
     rows = read_rows(path)
     assert len(rows) == len(profile("smoke"))
-    assert {row["status"] for row in rows} <= {"optimal", "feasible"}
+    assert {row["status"] for row in rows} <= {"optimal", "feasible", "unknown"}  # 5 s may be short on a busy machine
+    assert {"exact", "micp"} <= {row["method"] for row in rows if row["status"] == "optimal"}
     for row in rows:
+        if row["status"] == "unknown":
+            continue
         length = check(paper_instance(5, 0, 20, int(row["agents"])), tours_of(row))
         assert float(row["objective"]) == pytest.approx(length)
