@@ -1,13 +1,18 @@
 """Rows of relaxed bounds: one for each setting and method, resumed by key, and joined with certified optima only."""
 
+from pathlib import Path
+
+import pandas as pd
 import pytest
 from experiments.fakes import indices
 
 from mamttsp import paper_instance
 from mamttsp.experiments import read_rows
-from mamttsp.experiments.relaxations import bound_over_optimum, relaxations
+from mamttsp.experiments.relaxations import SETTING, bound_over_optimum, relaxations
 from mamttsp.experiments.runs import SETTINGS
 from mamttsp.relaxation import METHODS, relax
+
+COMMITTED = Path(__file__).parents[2] / "paper_results" / "relaxations.csv"
 
 
 @pytest.fixture(scope="module")
@@ -49,3 +54,18 @@ def test_bounds_are_divided_by_certified_optima_only(path, tmp_path):
     assert list(found["total_window"]) == [20, 20] and list(found["optimum"]) == [200, 200]
     assert found.loc["micp", "ratio"] == pytest.approx(relax(paper_instance(5, 0, 20)) / 200)
     assert found.loc["baseline", "ratio"] == 0
+
+
+def test_the_committed_rows_are_those_of_today(path):
+    key = [*SETTING, "method"]
+    committed, today = (pd.read_csv(file).set_index(key)["bound"] for file in (COMMITTED, path))
+    assert committed.loc[today.index].to_numpy() == pytest.approx(today.to_numpy(), rel=1e-5)
+
+
+def test_the_committed_rows_are_complete_and_bounds_fall_with_longer_windows():
+    rows = pd.read_csv(COMMITTED)
+    assert len(rows) == 2 * 560 and not rows.duplicated([*SETTING, "method"]).any()
+    assert (rows[rows["method"] == "baseline"]["bound"] == 0).all()
+    one_agent = rows[(rows["method"] == "micp") & (rows["agents"] == 1)]
+    by_window = one_agent.pivot_table(index=["n", "index"], columns="total_window", values="bound")
+    assert len(by_window) == 80 and (by_window.diff(axis=1).iloc[:, 1:] < 1e-3).all(axis=None)
