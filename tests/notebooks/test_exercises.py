@@ -11,8 +11,10 @@ import pytest
 from notebooks.running import CHECKED, ROOT, lay_out, run
 from notebooks.wrong_answers import WRONG
 
+from mamttsp.course import notebooks
+
 FOLDER = ROOT / "notebooks" / "exercises"
-SHEETS = sorted(FOLDER.glob("*.ipynb"))
+SHEETS = notebooks(FOLDER)
 GUIDE = (FOLDER / "README.md").read_text(encoding="utf-8")
 HEAD = re.compile(r"## Task (\d\d\.\d): (.+)\n\n\*Grade: (easy|medium|hard)\. About (\d+) minutes\. Needs: .+\.\*\n\n")
 of_each_sheet = pytest.mark.parametrize("path", SHEETS, ids=lambda path: path.stem)
@@ -62,6 +64,7 @@ def test_the_guide_lists_the_tasks_with_their_grades_and_minutes():
     heads = [HEAD.match(cells[0].source).groups() for _, cells in ALL.values()]
     assert re.findall(r"^\| (\d\d\.\d) (.+?) \| (\w+) \| (\d+) \|", GUIDE, re.MULTILINE) == heads
     assert GUIDE.startswith(f"# Exercises: a guide for teachers\n\n{len(heads)} tasks")
+    assert set(re.findall(r"\b\d\d\.\d\b", GUIDE)) == set(ALL)
 
 
 @of_each_sheet
