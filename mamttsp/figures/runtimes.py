@@ -29,6 +29,7 @@ def runtime_gap_view(rows, ax=None):
     ax.set(xlabel="targets", ylabel="run time (s)", xticks=range(len(sizes)), xticklabels=sizes)
     ax.set_xlim(-0.6, len(sizes) - 0.4)
     ax.set_ylim(0, 1.08 * max([1.0, *rows.runtime_s.map(_value).dropna()]))
+    ax.locator_params(axis="y", nbins=4)
     gaps.set(ylabel="% gap", ylim=(-4, 108))
     return ax
 

@@ -24,7 +24,7 @@ _PAIR = ("micp/scip", "baseline/scip")
 def published_sheets(rows):
     """Yield the paper's Figures 2 and 3 from its published numbers."""
     note = "Digitised; dotted bar: not above this; hollow marker: partly hidden."
-    yield from _paper_figures(rows, "published", lambda _: f"Published: {CONDITIONS}; means of 20 instances. {note}")
+    yield from _paper_figures(rows, "Published", lambda _: f"{CONDITIONS}; means of 20 instances. {note}")
 
 
 def our_sheets(reduced):
@@ -36,16 +36,17 @@ def our_sheets(reduced):
     def title(bars):
         whole = f"{(bars.rows == bars.runs).sum()} of {len(bars)} bars have all their rows"
         counted = f"runs without a proof count at the limit, {bars.no_tours.sum()} without tours at 100 % gap"
-        return f"Ours: {conditions(rows)}; means of {bars.runs.max()} instances. {whole}; {counted}."
+        return f"{conditions(rows)}; means of {bars.runs.max()} instances. {whole}; {counted}."
 
-    yield from _paper_figures(table.rename(columns=names), "ours", title)
+    yield from _paper_figures(table.rename(columns=names), "Ours", title)
 
 
 def _paper_figures(rows, whose, title):
     """Yield Figures 2 (one agent, by window) and 3 (windows of 40 s, by agents); title: of the rows in a figure."""
     one, more = rows[rows.agents == 1], rows[rows.agents > 1]
-    yield f"paper-fig-2-{whose}", panels_view(one, "total_window_s", _lines(f"{title(one)} One agent."))[0]
-    yield f"paper-fig-3-{whose}", panels_view(more, "agents", _lines(f"{title(more)} Windows of 40 s."))[0]
+    titles = _lines(f"{whose}, one agent: {title(one)}"), _lines(f"{whose}, windows of 40 s: {title(more)}")
+    yield f"paper-fig-2-{whose.lower()}", panels_view(one, "total_window_s", titles[0])[0]
+    yield f"paper-fig-3-{whose.lower()}", panels_view(more, "agents", titles[1])[0]
 
 
 def comparison_sheets(reduced, exact):
@@ -108,7 +109,7 @@ def idle_agent_sheet(exact, path):
     length = check(instance, tours)
     ax = plan_view(instance, tours, ax=column_axes(4.2))
     ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=3, frameon=False)
-    ax.set_title(f"10 targets, windows of 40 s, 3 agents: optimal tours, {length:.1f} units in all")
+    ax.set_title(f"10 targets, windows of 40 s: optimal tours, {length:.1f} units")
     return ax
 
 

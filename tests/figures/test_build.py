@@ -80,8 +80,11 @@ def test_published_and_ours_have_the_same_panels_and_say_what_they_are(drawn, nu
     published, ours = (drawn[f"paper-fig-{number}-{whose}"] for whose in ("published", "ours"))
     panels = [[ax.get_title() for ax in figure.axes if ax.get_title()] for figure in (published, ours)]
     assert panels[0] == panels[1] and len(panels[0]) == n_panels
-    assert "Gurobi 10.0.3, limit 1800 s, Intel i7-7700HQ; means of 20 instances" in _title(published)
-    assert "Ours: scip 10.0, limit 60 s, threads 1, a laptop; means of 5 instances" in _title(ours)
+    part = {2: "one agent", 3: "windows of 40 s"}[number]
+    assert f"Published, {part}: Gurobi 10.0.3, limit 1800 s, Intel i7-7700HQ; means of 20 instances" in _title(
+        published
+    )
+    assert f"Ours, {part}: scip 10.0, limit 60 s, threads 1, a laptop; means of 5 instances" in _title(ours)
 
 
 def test_ours_says_how_many_bars_are_missing_and_shows_which(drawn):
