@@ -81,8 +81,8 @@ def _pair(bars, setting, quantity, combine):
     if None in both:
         return Part(_name(setting), None, _NO_ROWS)
     read = "baseline {}, MICP {}".format(*(_read(bar, quantity) for bar in both))
-    if _tells_nothing(both, quantity):
-        return Part(_name(setting), None, f"both at the end of the scale ({read})")
+    if nothing := _tells_nothing(both, quantity):
+        return Part(_name(setting), None, nothing)
     number = combine(*(getattr(bar, quantity) for bar in both))
     return Part(_name(setting), number, f"{_text(number)} ({read})")
 
@@ -119,16 +119,18 @@ def _rise(bars, before, after, quantity):
     if None in both:
         return Part(label, None, _NO_ROWS)
     words = " to ".join(_read(bar, quantity) for bar in both)
-    if _tells_nothing(both, quantity):
-        return Part(label, None, f"both at the end of the scale ({words})")
+    if nothing := _tells_nothing(both, quantity):
+        return Part(label, None, nothing)
     return Part(label, _difference(getattr(both[1], quantity), getattr(both[0], quantity)), words)
 
 
 def _tells_nothing(both, quantity):
-    """Tell whether the limit stopped every run of both bars, or none of them found tours with a bound."""
-    if quantity == "runtime":
-        return all(bar.stopped == 1.0 for bar in both)
-    return all(bar.gap == (100.0, 100.0) for bar in both)
+    """Return why two bars cannot be compared, "" if they can: the limit stopped every run, or none found tours."""
+    if quantity == "runtime" and all(bar.stopped == 1.0 for bar in both):
+        return f"both at the limit of {both[0].limit:g} s"
+    if quantity == "gap" and all(bar.gap == (100.0, 100.0) for bar in both):
+        return "both at 100 %, without tours"
+    return ""
 
 
 def _ratio(above, below):

@@ -78,7 +78,15 @@ def _height(part):
 
 
 def _words(parts):
-    return "; ".join(f"{part.label}: {part.words}" for part in parts)
+    """Return the parts in words, those of the same words together."""
+    labels = {}
+    for part in parts:
+        labels.setdefault(part.words, []).append(part.label)
+    return "; ".join(f"{_together(names)}: {words}" for words, names in labels.items())
+
+
+def _together(names):
+    return names[0] if len(names) == 1 else f"{len(names)} settings"
 
 
 def _counts(verdicts):
