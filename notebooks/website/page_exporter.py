@@ -11,14 +11,20 @@ FOLDER = Path(__file__).parent
 IN_WORDS = "*In words:*"
 
 
+def formula(tex, display="inline"):
+    """Return TeX as MathML: the converter leaves no room before a tag, and the backslash in large braces."""
+    mathml = convert(re.sub(r"\\tag\{(.*?)\}", r"\\qquad\\text{(\1)}", tex), display=display)
+    return re.sub(r">\\([{}|])<", lambda found: f">{found[1].replace('|', '‖')}<", mathml)
+
+
 class PageRenderer(IPythonRenderer):
     """Markdown to HTML. Browsers draw MathML themselves, so a page needs no script."""
 
     def inline_math(self, body):
-        return convert(body)
+        return formula(body)
 
     def block_math(self, body):
-        return f'<span class="formula">{convert(body, display="block")}</span>'
+        return f'<span class="formula">{formula(body, display="block")}</span>'
 
     def latex_environment(self, name, body):
         return self.block_math(rf"\begin{{{name}}}{body}\end{{{name}}}")
