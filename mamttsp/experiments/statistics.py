@@ -22,13 +22,14 @@ def read_table(path):
     """Return the rows of a results file as a DataFrame: numbers for numbers, and more columns.
 
     route; solved: the gap was proved; counted_time: the solver's run time in s, counted at the limit unless solved;
-    counted_gap: % gap, 100 without tours or bound. InputError: no such file, or not the columns of this version.
+    counted_gap: % gap, at most 100, and 100 without tours or bound. InputError: no such file, or not the columns of
+    this version.
     """
     rows = pd.DataFrame(read_rows(path), columns=COLUMNS)
     rows[_NUMBERS] = rows[_NUMBERS].apply(pd.to_numeric).astype(float)
     solved = rows.status == "optimal"
     more = {"solved": solved, "counted_time": rows.runtime_s.where(solved, rows.time_limit)}
-    return _with_route(rows).assign(**more, counted_gap=rows.gap_percent.fillna(100.0))
+    return _with_route(rows).assign(**more, counted_gap=rows.gap_percent.fillna(100.0).clip(upper=100.0))
 
 
 def of_runs(rows, runs):

@@ -47,8 +47,9 @@ def test_a_run_without_tours_counts_at_the_limit_and_with_the_whole_gap(table, n
     assert (found.runtime_s, found.gap_percent) == (31.5, 50.0)
 
 
-def test_tours_without_a_bound_count_with_the_whole_gap(table):
-    found = _only(by_setting(table(solved(3.0), stopped(100.0, None, index=1)), RUNS))
+@pytest.mark.parametrize("bound", [None, 0.0, -3.0])
+def test_tours_without_a_useful_bound_count_with_the_whole_gap(table, bound):
+    found = _only(by_setting(table(solved(3.0), stopped(100.0, bound, index=1)), RUNS))
     assert (found.no_tours, found.gap_percent) == (0, 50.0)
 
 

@@ -70,6 +70,24 @@ def test_every_figure_is_drawn(drawn):
     assert list(drawn) == NAMES
 
 
+@pytest.mark.parametrize("name", NAMES)
+def test_it_is_as_wide_as_a_column_and_all_that_is_written_is_on_it_and_can_be_read(drawn, name):
+    figure = drawn[name]
+    assert figure.get_figwidth() == 3.5
+    figure.draw_without_rendering()
+    width = figure.bbox.width + 1  # a pixel for rounding
+    extents = {text.get_text(): text.get_window_extent() for text in _words(figure) if text.get_text()}
+    assert not [text for text, extent in extents.items() if extent.x0 < -1 or extent.x1 > width]
+    assert min(text.get_fontsize() for text in _words(figure)) >= 5.5
+
+
+def _words(figure):
+    """Return titles, labels, notes and legends: all that is written but the numbers of the axes."""
+    legends = [*figure.legends, *(ax.get_legend() for ax in figure.axes if ax.get_legend())]
+    words = [*figure.texts, *(text for legend in legends for text in legend.get_texts())]
+    return words + [text for ax in figure.axes for text in (ax.title, ax.xaxis.label, ax.yaxis.label, *ax.texts)]
+
+
 def test_figure_1_has_three_agents_and_one_is_idle(drawn):
     legend = [text.get_text() for text in drawn["paper-fig-1"].axes[0].get_legend().get_texts()]
     assert [label for label in legend if "agent" in label] == ["agent 1", "agent 2", "agent 3 (idle)"]
