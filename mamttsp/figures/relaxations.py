@@ -12,7 +12,7 @@ def relaxation_view(rows, by="total_window", ax=None):
     """Draw relaxed bounds as parts of the optimum against the number of targets, and return the axes.
 
     rows: data frame with columns n, method, ratio and `by`, "total_window" or "agents": a line for each of its values
-    joins the MICP's means, a bar on each reaches from the least to the largest. All baselines are one black line.
+    joins the MICP's means, a bar on each reaches from the least to the largest. All baselines are one grey line.
     """
     ax = ax or plt.figure(figsize=(6, 4), layout="constrained").add_subplot()
     new, old = (rows[rows["method"] == method] for method in ("micp", "baseline"))
@@ -23,7 +23,7 @@ def relaxation_view(rows, by="total_window", ax=None):
         style = {"color": COLOURS[k], "linestyle": LINES[k], "marker": MARKERS[k]}
         ax.plot(n, mean, **style, label=_NAMES[by].format(value).replace("1 agents", "1 agent"))
     zero = old.groupby("n")["ratio"].mean()
-    ax.plot(zero.index, zero, color="black", marker="x", label="baseline, all")
+    ax.plot(zero.index, zero, color="0.45", marker="x", label="baseline, all")
     ax.set(xlabel="targets n", ylabel="relaxed bound / optimum", ylim=(-0.03, 1.03), xticks=sorted(set(rows["n"])))
     ax.legend(loc="lower left", bbox_to_anchor=(0.0, 0.04), ncols=2, fontsize=9, frameon=False)
     return ax
