@@ -12,8 +12,12 @@ IN_WORDS = "*In words:*"
 
 
 def formula(tex, display="inline"):
-    """Return TeX as MathML: the converter leaves no room before a tag, and the backslash in large braces."""
-    mathml = convert(re.sub(r"\\tag\{(.*?)\}", r"\\qquad\\text{(\1)}", tex), display=display)
+    r"""Return TeX as MathML; what the converter would not read well is written as it likes it, and so is its result.
+
+    A tag gets room before it, the letter after \mathcal and its like braces, and large braces lose their backslash.
+    """
+    tex = re.sub(r"\\tag\{(.*?)\}", r"\\qquad\\text{(\1)}", tex)
+    mathml = convert(re.sub(r"(\\math[a-z]+)\s+(\w)", r"\1{\2}", tex), display=display)
     return re.sub(r">\\([{}|])<", lambda found: f">{found[1].replace('|', '‖')}<", mathml)
 
 
