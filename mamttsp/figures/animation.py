@@ -13,9 +13,9 @@ from PIL import Image
 
 from .style import COLOURS, DEPOT, MARKERS, PATH, WINDOW
 
-#: matplotlib's player takes its buttons' pictures from the network; these signs need none
-_SIGNS = {"minus": "−", "plus": "+", "pause": "⏸", "play": "▶", "play fa-flip-horizontal": "◀"}
-_SIGNS |= {"fast-backward": "⏮", "step-backward": "⏪", "step-forward": "⏩", "fast-forward": "⏭"}
+#: matplotlib's player takes its buttons' pictures from the network; these signs need none, and are in most fonts
+_SIGNS = {"minus": "−", "plus": "+", "pause": "||", "play": "▶", "play fa-flip-horizontal": "◀"}
+_SIGNS |= {"fast-backward": "|◀", "step-backward": "◀|", "step-forward": "|▶", "fast-forward": "▶|"}
 
 
 @dataclasses.dataclass(frozen=True)
