@@ -12,6 +12,7 @@ from matplotlib.animation import FuncAnimation
 from PIL import Image
 
 from .style import COLOURS, DEPOT, MARKERS, PATH, WINDOW
+from .tours import target_parts
 
 #: matplotlib's player takes its buttons' pictures from the network; these signs need none, and are in most fonts
 _SIGNS = {"minus": "−", "plus": "+", "pause": "||", "play": "▶", "play fa-flip-horizontal": "◀"}
@@ -36,10 +37,11 @@ def moment_view(instance, tours, time, ax=None):
     """
     ax = ax or plt.figure(figsize=(6, 5.4), dpi=72, layout="constrained").add_subplot()
     visited = {visit.target for tour in tours for visit in tour.visits if visit.time <= time}
-    for u, target in enumerate(instance.targets):
-        ax.plot(*target.points.T, **PATH)
+    for u, path, in_windows in target_parts(instance):
+        ax.plot(*path[:, :2].T, **PATH)
         if u not in visited:
-            _draw_target(ax, u, target, time)
+            now = [window for window in in_windows if window[0, 2] <= time <= window[-1, 2]]
+            _draw_target(ax, u, instance.targets[u].position(time), now)
     for k, tour in enumerate(tours):
         times, stops = _stops(instance, tour)
         flown = np.vstack([stops[times < time], _between(times, stops, time)])
@@ -74,14 +76,12 @@ def film(instance, tours, step=3.0):
     return Film(_self_contained(page))
 
 
-def _draw_target(ax, u, target, time):
-    """Draw a target that waits for its visit where it is, and the open window that it is in."""
-    place = target.position(time)
-    now = [(start, end) for start, end in target.windows if start <= time <= end]
-    for start, end in now:
-        bends = target.times[(target.times > start) & (target.times < end)]
-        ax.plot(*target.position(np.r_[start, bends, end]).T, **WINDOW)
-    ax.plot(*place, "o", markersize=8, color="0.25", markerfacecolor="0.25" if now else "white", zorder=5)
+def _draw_target(ax, u, place, open_windows):
+    """Draw a target that waits for its visit at `place`, and the parts of its path in open windows."""
+    for window in open_windows:
+        ax.plot(*window[:, :2].T, **WINDOW)
+    face = "0.25" if open_windows else "white"
+    ax.plot(*place, "o", markersize=8, color="0.25", markerfacecolor=face, zorder=5)
     ax.annotate(str(u), place, xytext=(7, 7), textcoords="offset points", fontsize=9)
 
 

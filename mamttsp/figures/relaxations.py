@@ -4,6 +4,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from .style import COLOURS, LABEL, LINES, MARKERS, once
+from .tours import target_parts
 
 _NAMES = {"total_window": "windows of {} s", "agents": "{} agents"}
 
@@ -50,12 +51,10 @@ def flow_view(instance, y, tails, heads, ax=None):
     the target's number.
     """
     ax = ax or plt.figure(figsize=(6, 5.4), layout="constrained").add_subplot()
-    for u, target in enumerate(instance.targets):
-        for window in target.windows:
-            bends = target.times[(target.times > window[0]) & (target.times < window[1])]
-            path = target.position(np.r_[window[0], bends, window[1]])
-            ax.plot(*path.T, color="0.8", linewidth=5, zorder=1)
-            ax.annotate(str(u), path.mean(axis=0), **LABEL)
+    for u, _, in_windows in target_parts(instance):
+        for window in in_windows:
+            ax.plot(*window[:, :2].T, color="0.8", linewidth=5, zorder=1)
+            ax.annotate(str(u), window[:, :2].mean(axis=0), **LABEL)
     whole = np.asarray(y) > 0.99
     for group, colour, line in ((whole, COLOURS[0], "-"), (~whole, COLOURS[1], "--")):
         for k, (share, tail, head) in enumerate(zip(y[group], tails[group], heads[group])):
