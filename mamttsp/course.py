@@ -53,7 +53,7 @@ def table(chapters):
     seen = set()
     for chapter in chapters:
         cells = (
-            ", ".join(chapter.sections),
+            ", ".join(chapter.sections) or "beyond it",
             f"[{chapter.file[:2]} {chapter.title}]({chapter.file})",
             ", ".join(f"`{name.removeprefix('mamttsp.')}`" for name in chapter.modules if name not in seen),
             ", ".join(f"[{name}](../figures/{name}.png)" for name in chapter.figures),

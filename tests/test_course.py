@@ -45,6 +45,7 @@ def test_a_row_for_each_notebook_and_a_module_where_it_first_occurs(tmp_path):
     rows = table(course(tmp_path)).splitlines()[2:]
     assert len(rows) == 2
     assert "[01 Flying](01-flying.ipynb)" in rows[0] and "[2](exercises/01-fly.ipynb)" in rows[0]
+    assert rows[0].startswith("| III, IV-B |") and rows[1].startswith("| beyond it |")
     assert "`tours`" in rows[0] and "`tours`" not in rows[1]
 
 
