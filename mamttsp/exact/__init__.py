@@ -12,6 +12,7 @@ import math
 from ..graph import build_graph
 from ..instance import InputError
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, Solution
+from ..trace import ProgressLog
 from .heuristic import Annealing
 from .search import Search
 from .watch import Watch
@@ -27,15 +28,16 @@ _MOST_TARGETS = 64
 def solve_exact(instance, options):
     """Return a Solution of the instance, or what stands when a limit or Ctrl-C ends the run.
 
-    options: `backends.answer.Options`; threads and verbose have no effect. InputError: more than 64 targets.
+    options: `backends.answer.Options`; threads has no effect, verbose prints a log. InputError: more than 64 targets.
     """
     if instance.n_targets > _MOST_TARGETS:
         raise InputError(f'targets: method "exact" takes at most {_MOST_TARGETS}, found {instance.n_targets}')
     graph, targets = build_graph(instance), range(instance.n_targets)
     n_agents = min(instance.n_agents, instance.n_targets)
+    progress = options.progress or (ProgressLog() if options.verbose else None)
     with Watch(options.time_limit) as clock:
         search = Search(
-            graph, targets, n_agents, max(options.gap, _LEAST_GAP), clock, options.progress,
+            graph, targets, n_agents, max(options.gap, _LEAST_GAP), clock, progress,
             annealing=Annealing(graph, targets, n_agents, options.seed),
         )  # fmt: skip
         try:

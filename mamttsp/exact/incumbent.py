@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+from scipy import sparse
 
 from ..tours import bounded_times, to_tour
 from .partition import choose
@@ -32,6 +33,17 @@ class Incumbent:
         found = [self.timed(route) for route in routes]
         if all(found) and (total := sum(length for length, _, _ in found)) < self.objective:
             self.objective, self.routes = total, tuple(routes)
+
+    def recombine(self, targets):
+        """Offer the best choice among all routes of these targets that were ever timed."""
+        routes = [route for route, found in self._timed.items() if found]
+        if self.m > 1 and routes:
+            visited = [set(self.graph.tau[list(route)]) for route in routes]
+            visits = np.array([[float(u in route) for route in visited] for u in targets])
+            costs = np.array([self._timed[route][0] for route in routes])
+            _, chosen = choose(sparse.csc_matrix(visits), costs, self.m, time_limit=_SECONDS)
+            if chosen is not None:
+                self.offer([routes[j] for j in chosen])
 
     def improve(self, forest, candidates, favourites=()):
         """Time the most promising columns of a forest exactly, and offer the best choice among them.

@@ -31,7 +31,8 @@ _BEAM = 1000
 _FEW_LABELS, _MOST_LABELS = 500_000, 8_000_000
 #: iterations of ruin and recreate between two looks at the clock
 _STEP = 500
-_FEW_SETS = 800
+_FEW_SETS = 2500
+#: of segments that are timed one by one, in each round as many more: targets that meet leave ties for ever
 _FEW_SEQUENCES = 1500
 #: pieces that a round may have: the table of their legs grows with the square
 _MOST_PIECES = 2000
@@ -42,7 +43,7 @@ _SAFETY = 1e-9
 #: lengths below this share of the area's size count as nothing, for optima of 0
 _NEGLIGIBLE = 1e-8
 #: label extensions per second, an underestimate, to stop in time
-_RATE = 2e7
+_RATE = 6e7
 
 
 class Search:
@@ -57,7 +58,7 @@ class Search:
         self.graph, self.targets, self.n, self.m = graph, list(targets), len(targets), min(n_agents, len(targets))
         self.gap, self.clock, self.progress, self.cutoff, self.annealing = gap, clock, progress, cutoff, annealing
         self.incumbent = Incumbent(graph, self.m)
-        self.bound, self.labels, self.exhausted = 0.0, 0, False
+        self.bound, self.labels, self.columns, self.rounds, self.exhausted = 0.0, 0, 0, 0, False
         self.negligible = _NEGLIGIBLE * graph.size
         self.pi, self.most, self.beam = np.zeros(self.n), _FEW_LABELS, _BEAM
         self.enumerated, self.memory = False, _MEMORY
@@ -95,7 +96,7 @@ class Search:
         if self.progress:
             objective = None if math.isinf(self.incumbent.objective) else self.incumbent.objective
             gap = relative_gap(objective, self.bound)
-            self.progress(Progress(self.clock.spent, objective, self.bound, gap, self.labels, phase))
+            self.progress(Progress(self.clock.spent, objective, self.bound, gap, self.labels, phase, self.columns))
 
     def over(self):
         return self.closed() or self.exhausted or self.clock.out()
@@ -109,16 +110,18 @@ class Search:
             iterations = min(iterations, 10)
 
     def search_tours(self, annealing):
-        """Look for tours by ruin and recreate, in steps short enough to end in time."""
-        steps = max(1, 200 * self.n // _STEP)
+        """Look for tours by ruin and recreate, in steps short enough to end in time, then among all their routes."""
+        steps = max(1, self.n**2 // 20)
         for step in range(steps):
             if self.clock.out():
                 break
             if routes := annealing.run(_STEP, 1.0 - step / steps, 1.0 - (step + 1) / steps):
                 self.incumbent.offer(routes)
+        self.incumbent.recombine(self.targets)
         self.report("heuristic")
 
     def round(self, iterations):
+        self.rounds += 1
         if self.annealing and not self.enumerated:
             self.search_tours(self.annealing)
         pieces = make_pieces(self.graph, *self.cut, self.targets)
@@ -158,6 +161,7 @@ class Search:
             self.most = min(4 * self.most, _MOST_LABELS)
             self.report("labels")
             return
+        self.columns += len(forest.cost)
         sets = Sets(forest.visited, forest.cost, self.n)
         relaxed = relax_choice(sets.members, sets.cost, self.m, self.limit)
         self.raise_bound(min(relaxed.bound, self.limit))
@@ -177,7 +181,7 @@ class Search:
 
     def finish(self, forest, leads):
         """With one agent: if few sequences of segments are left, time them all; nothing else is below the limit."""
-        sequences = forest.sequences(leads, _FEW_SEQUENCES)
+        sequences = forest.sequences(leads, self.rounds * _FEW_SEQUENCES)
         if sequences is None:
             return
         bounds = [self.limit]
@@ -220,6 +224,7 @@ class Search:
         if small := len(mine) <= _SMALL:
             search.memory = _SMALL_MEMORY
         search.run(1 if small else 10)
+        self.labels, self.columns = self.labels + search.labels, self.columns + search.columns
         if search.incumbent.routes:
             self.known[targets] = search.incumbent.routes[0]
         return search.bound

@@ -1,0 +1,157 @@
+"""Routes on a time grid: visits at grid times of their segments, so that a route is a shortest path through layers.
+
+Insertions are priced from the values so far and the values to go at the stops around them.
+"""
+
+import math
+from collections import namedtuple
+
+import numpy as np
+from numba import njit
+
+from ..motion import TIME_SLACK
+
+_GRID = 24
+
+#: Flights on the grid, infinite where too late: `between` (P, P), its transpose `back`, from the depot `first` (P,), to
+#: the depot `last` (P,); the points of target u are start[u]:start[u + 1]; near (n, n), near_first (n,), near_last (n,): the shortest
+#: flights between targets and depot, whatever their times
+Network = namedtuple("Network", "between back first last start near near_first near_last")
+
+#: Of each stop of a route: values so_far and to_go (n, widest) at its grid points, and the least of them (n,)
+Values = namedtuple("Values", "so_far to_go least_so_far least_to_go")
+
+
+def grid_points(graph, targets):
+    """Return (node, time, start, step): about _GRID points for each target, both ends of each of its segments among
+    them.
+
+    start: (n + 1,) where the points of each target begin; step: the longest time between two points.
+    """
+    nodes, times, start, longest = [], [], [0], 0.0
+    for u in targets:
+        cluster = graph.C(u)
+        step = (graph.t_hi[cluster] - graph.t_lo[cluster]).sum() / _GRID
+        for i in cluster:
+            duration = graph.t_hi[i] - graph.t_lo[i]
+            grid = np.linspace(graph.t_lo[i], graph.t_hi[i], 1 + math.ceil(duration / step) if duration > 0 else 1)
+            nodes.append(np.full(len(grid), i))
+            times.append(grid)
+        start.append(start[-1] + sum(len(grid) for grid in times[-len(cluster) :]))
+        longest = max(longest, step)
+    return np.concatenate(nodes), np.concatenate(times), np.array(start), longest
+
+
+def make_network(graph, node, time, start, slack):
+    """Return the Network of grid points, see `grid_points`; slack: by how many s a flight may come late."""
+    p = graph.p_lo[node] + (time - graph.t_lo[node])[:, None] * graph.v[node]
+    owner = np.repeat(np.arange(len(start) - 1), np.diff(start))
+    flights = _distances(p, time, owner, graph.p_lo[0], graph.max_speed, graph.horizon, slack)
+    return Network(flights[0], flights[0].T.copy(), *flights[1:], start, *_shortest(*flights, start))
+
+
+@njit(cache=True)
+def _distances(p, time, target, depot, speed, horizon, slack):
+    """Return (between (P, P), first (P,), last (P,)): distances, infinite where a flight would be more than `slack`
+    s late."""
+    P = len(time)
+    between, first, last = np.full((P, P), np.inf), np.full(P, np.inf), np.full(P, np.inf)
+    slack += TIME_SLACK * horizon
+    for g in range(P):
+        d = math.hypot(p[g, 0] - depot[0], p[g, 1] - depot[1])
+        if d <= speed * (time[g] + slack):
+            first[g] = d
+        if d <= speed * (horizon - time[g] + slack):
+            last[g] = d
+        for h in range(P):
+            d = math.hypot(p[h, 0] - p[g, 0], p[h, 1] - p[g, 1])
+            if target[g] != target[h] and d <= speed * (time[h] - time[g] + slack):
+                between[g, h] = d
+    return between, first, last
+
+
+@njit(cache=True)
+def _shortest(between, first, last, start):
+    """Return (near (n, n), near_first (n,), near_last (n,)), see Network."""
+    n = len(start) - 1
+    near, near_first, near_last = np.full((n, n), np.inf), np.empty(n), np.empty(n)
+    for u in range(n):
+        near_first[u] = first[start[u] : start[u + 1]].min()
+        near_last[u] = last[start[u] : start[u + 1]].min()
+        for w in range(n):
+            if u != w:
+                near[u, w] = between[start[u] : start[u + 1], start[w] : start[w + 1]].min()
+    return near, near_first, near_last
+
+
+@njit(cache=True)
+def _min_plus(values, here, there, start, flights, out):
+    """out[h] = least values[g] + flights from point g of target `here` to point h of target `there`; return the least
+    of out. Point h is the inner loop: along the rows of `flights`, without branches, processors do several at once."""
+    size, offset = start[there + 1] - start[there], start[there]
+    out = out[:size]
+    out[:] = np.inf
+    for g in range(start[here + 1] - start[here]):
+        if values[g] < np.inf:
+            row = flights[start[here] + g, offset : offset + size]
+            for h in range(size):
+                out[h] = min(out[h], values[g] + row[h])
+    return out.min()
+
+
+@njit(cache=True)
+def _arrive(w, route, i, network, values, out):
+    """Fill out with the values so far of target w behind the first i stops of a route; return the least of them."""
+    if i > 0:
+        return _min_plus(values.so_far[i - 1], route[i - 1], w, network.start, network.between, out)
+    start = network.start
+    out[: start[w + 1] - start[w]] = network.first[start[w] : start[w + 1]]
+    return network.near_first[w]
+
+
+@njit(cache=True)
+def _leave(w, route, length, i, network, values, out):
+    """Fill out with the values to go of target w before stop i of a route; return the least of them."""
+    if i < length:
+        return _min_plus(values.to_go[i], route[i], w, network.start, network.back, out)
+    start = network.start
+    out[: start[w + 1] - start[w]] = network.last[start[w] : start[w + 1]]
+    return network.near_last[w]
+
+
+@njit(cache=True)
+def evaluate(route, length, network, values):
+    """Fill the values at each stop of a route; return its cost."""
+    if length == 0:
+        return 0.0
+    for i in range(length):
+        values.least_so_far[i] = _arrive(route[i], route, i, network, values, values.so_far[i])
+    for i in range(length - 1, -1, -1):
+        values.least_to_go[i] = _leave(route[i], route, length, i + 1, network, values, values.to_go[i])
+    size = network.start[route[0] + 1] - network.start[route[0]]
+    return np.min(values.so_far[0, :size] + values.to_go[0, :size])
+
+
+@njit(cache=True)
+def insertion(w, route, length, i, network, values, arrive, leave, cutoff):
+    """Return the route's cost with w inserted before its stop i, or infinity if that is not below the cutoff."""
+    before = network.near_first[w] if i == 0 else values.least_so_far[i - 1] + network.near[route[i - 1], w]
+    after = network.near_last[w] if i == length else network.near[w, route[i]] + values.least_to_go[i]
+    if before + after >= cutoff or _arrive(w, route, i, network, values, arrive) + after >= cutoff:
+        return np.inf
+    _leave(w, route, length, i, network, values, leave)
+    size = network.start[w + 1] - network.start[w]
+    return np.min(arrive[:size] + leave[:size])
+
+
+@njit(cache=True)
+def trace(route, length, network, values, points):
+    """Fill the grid points of a cheapest flight along a route that is evaluated."""
+    start = network.start
+    for i in range(length):
+        w = route[i]
+        best = np.inf
+        for g in range(start[w], start[w + 1]):
+            here = network.first[g] if i == 0 else network.between[points[i - 1], g]
+            if here + values.to_go[i, g - start[w]] < best:
+                best, points[i] = here + values.to_go[i, g - start[w]], g
