@@ -6,7 +6,8 @@ OVERVIEW := notebooks/00-overview.ipynb
 NOTEBOOKS = $(sort $(filter-out $(OVERVIEW) %.nbconvert.ipynb,$(wildcard notebooks/*.ipynb))) $(OVERVIEW)
 # No time stamps in the saved file: the same results give the same bytes.
 RUN_NOTEBOOK = $(BIN)/jupyter nbconvert --to notebook --execute --inplace --log-level=WARN \
-	--ExecutePreprocessor.record_timing=False --CoalesceStreamsPreprocessor.enabled=True
+	--ExecutePreprocessor.record_timing=False \
+	--NotebookExporter.preprocessors=nbconvert.preprocessors.CoalesceStreamsPreprocessor
 # Two test processes share two cores: each keeps to one thread.
 export OMP_NUM_THREADS ?= 1
 
