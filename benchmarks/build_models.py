@@ -7,21 +7,22 @@ and from a cvxpy problem to the conic data that every cvxpy solver is given.
 import importlib.metadata
 import platform
 import time
-from pathlib import Path
 
+from readme import write_section
 from tqdm import tqdm
 
 from mamttsp import build_graph, generate
 from mamttsp.backends.conic_data import conic_data
 from mamttsp.backends.scip_models import from_pyomo
 from mamttsp.formulations import build_formulation
+from mamttsp.versions import processor
 
-README = Path(__file__).with_name("README.md")
-BEGIN, END = "<!-- build_models.py writes from here -->\n", "<!-- to here -->\n"
 SIZES, FLEETS = (5, 10, 15, 20), (1, 3, 5)
 MODELS = (("micp", "pyomo"), ("micp", "cvxpy"), ("baseline", "pyomo"), ("baseline", "cvxpy"), ("nonconvex", "pyomo"))
 REPEATS = 3
-COLUMNS = "n | m | model | modeler | build (s) | hand-over (s) | variables | binaries | linear rows | cones | bilinear rows"
+COLUMNS = (
+    "n | m | model | modeler | build (s) | hand-over (s) | variables | binaries | linear rows | cones | bilinear rows"
+)
 
 
 def measure(method, modeler, graph, n_agents):
@@ -42,7 +43,7 @@ def measure(method, modeler, graph, n_agents):
 def table():
     """Return the lines of the table, with progress on the way."""
     yield f"Instance 0 of each size, windows of 40 s in total, all edges; least of {REPEATS} runs in one process."
-    yield f"Python {platform.python_version()}, {', '.join(_versions())}; {_processor()}."
+    yield f"Python {platform.python_version()}, {', '.join(_versions())}; {processor()}."
     yield ""
     yield f"| {COLUMNS} |"
     yield "|--:|--:|---|---" + "|--:" * 7 + "|"
@@ -57,19 +58,8 @@ def _versions():
     return [f"{name} {importlib.metadata.version(name)}" for name in ("pyomo", "cvxpy", "pyscipopt")]
 
 
-def _processor():
-    """Return the processor's name where the system tells it, else its kind."""
-    cpuinfo = Path("/proc/cpuinfo")
-    lines = cpuinfo.read_text().splitlines() if cpuinfo.exists() else []
-    names = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
-    return names[0] if names else platform.machine()
-
-
 def main():
-    lines = "\n".join(table())
-    before, rest = README.read_text(encoding="utf-8").split(BEGIN)
-    _, after = rest.split(END)
-    README.write_text(f"{before}{BEGIN}\n{lines}\n\n{END}{after}", encoding="utf-8")
+    write_section("build_models.py", list(table()))
 
 
 if __name__ == "__main__":

@@ -65,7 +65,7 @@ def _solve(arguments):
             threads=arguments.threads,
             seed=arguments.seed,
             verbose=arguments.verbose,
-            progress=line,
+            progress=None if arguments.verbose else line,
             prune=arguments.prune,
         )
     if arguments.output:

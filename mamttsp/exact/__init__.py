@@ -48,15 +48,15 @@ def solve_exact(instance, options):
 
 
 def _solution(search, runtime):
-    tours = search.incumbent.tours()
-    if tours:
-        status = OPTIMAL if search.closed() else FEASIBLE
-        return Solution(
-            status, search.incumbent.objective, search.bound, runtime, tours, "exact", _NAME, nodes=search.labels
-        )
-    status = INFEASIBLE if math.isinf(search.bound) else UNKNOWN
-    bound = None if math.isinf(search.bound) else search.bound
-    return Solution(status, None, bound, runtime, (), "exact", _NAME, nodes=search.labels)
+    standing, tours = search.standing, search.incumbent.tours()
+    objective, bound, _ = standing.figures()
+    if math.isinf(bound):
+        status, bound = INFEASIBLE, None
+    elif tours:
+        status = OPTIMAL if standing.closed() else FEASIBLE
+    else:
+        status = UNKNOWN
+    return Solution(status, objective, bound, runtime, tours, "exact", _NAME, nodes=search.labels)
 
 
 _NAME = "mamttsp exact"

@@ -4,6 +4,7 @@ import numpy as np
 
 from . import labels as lab
 from . import relaxed
+from .layer import select
 from .settle import members
 
 
@@ -37,7 +38,7 @@ class Forest:
         self.layers, self.links = [layer], []
         for s in range(1, self.n):
             if beam and len(layer.left) > beam:
-                layer = lab.select(layer, np.sort(np.argpartition(layer.bound, beam)[:beam]))
+                layer = select(layer, np.sort(np.argpartition(layer.bound, beam)[:beam]))
                 self.layers[-1] = layer
             room = most - self.size
             layer, links, self.complete = lab.extend(layer, s, *common, max(room, 0), budget)

@@ -14,8 +14,8 @@ from ..motion import TIME_SLACK
 _GRID = 24
 
 #: Flights on the grid, infinite where too late: `between` (P, P), its transpose `back`, from the depot `first` (P,), to
-#: the depot `last` (P,); the points of target u are start[u]:start[u + 1]; near (n, n), near_first (n,), near_last (n,): the shortest
-#: flights between targets and depot, whatever their times
+#: the depot `last` (P,); the points of target u are start[u]:start[u + 1]; near (n, n), near_first (n,),
+#: near_last (n,): the shortest flights between targets and depot, whatever their times
 Network = namedtuple("Network", "between back first last start near near_first near_last")
 
 #: Of each stop of a route: values so_far and to_go (n, widest) at its grid points, and the least of them (n,)

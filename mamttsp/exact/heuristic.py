@@ -90,7 +90,7 @@ def _insert_all(bank, routes, length, cost, network, values, arrive, leave):
 
 @njit(cache=True)
 def _closeness(near):
-    """Return (n, n): for each target itself and the others, closest first; near (n, n): shortest flights between targets."""
+    """Return (n, n): each target and behind it the others, closest first; near: (n, n) lengths of shortest flights."""
     order = np.empty(near.shape, np.int64)
     for u in range(len(near)):
         close = np.minimum(near[u], near[:, u])

@@ -6,76 +6,16 @@ flyable tour. A label is dropped if its completion bound passes the limit, or if
 piece is nowhere worse (dominance on bounds: the least bound of all complete labels stays a bound on every route).
 """
 
-from typing import NamedTuple
-
 import numpy as np
 from numba import njit
 
 from ..motion import earliest_meeting
+from .layer import empty, grown, put, rehash, select, slot_of
 from .memory import local_memory
 from .relaxed import after_leg
 
 _EPS = 1e-12
 _FIRST_SIZE = 1 << 14
-
-
-class Labels(NamedTuple):
-    """The X labels of one layer (number of visits).
-
-    visited: (X,) uint64 set of targets; piece: (X,) last piece; left, right: (X,) reduced cost at its ends; early: (X,)
-    earliest time there in s; parent: (X,) label of the layer before, -1 for none; bound: (X,) least value of a
-    completion, others' routes included, without the constant sum of pi.
-    """
-
-    visited: np.ndarray
-    piece: np.ndarray
-    left: np.ndarray
-    right: np.ndarray
-    early: np.ndarray
-    parent: np.ndarray
-    bound: np.ndarray
-
-
-@njit(cache=True)
-def _empty(size):
-    return Labels(
-        np.empty(size, np.uint64), np.empty(size, np.int32), np.empty(size), np.empty(size), np.empty(size),
-        np.empty(size, np.int32), np.empty(size),
-    )  # fmt: skip
-
-
-@njit(cache=True)
-def _grown(labels):
-    size = len(labels.left)
-    more = _empty(2 * size)
-    more.visited[:size] = labels.visited
-    more.piece[:size] = labels.piece
-    more.left[:size] = labels.left
-    more.right[:size] = labels.right
-    more.early[:size] = labels.early
-    more.parent[:size] = labels.parent
-    more.bound[:size] = labels.bound
-    return more
-
-
-@njit(cache=True)
-def select(labels, keep):
-    """Return the labels with the given indices, in that order."""
-    return Labels(
-        labels.visited[keep], labels.piece[keep], labels.left[keep], labels.right[keep], labels.early[keep],
-        labels.parent[keep], labels.bound[keep],
-    )  # fmt: skip
-
-
-@njit(cache=True)
-def _set(labels, x, visited, piece, left, right, early, parent, bound):
-    labels.visited[x] = visited
-    labels.piece[x] = piece
-    labels.left[x] = left
-    labels.right[x] = right
-    labels.early[x] = early
-    labels.parent[x] = parent
-    labels.bound[x] = bound
 
 
 @njit(cache=True)
@@ -93,7 +33,7 @@ def _least(left, right, share):
 @njit(cache=True)
 def first_labels(pieces, pi, N, completion, alive, limit):
     """Return the Labels of one visit: straight from the depot."""
-    labels = _empty(len(pieces.a))
+    labels = empty(len(pieces.a))
     x = 0
     for q in range(len(pieces.a)):
         if not alive[1, q] or pieces.ready[q] == np.inf:
@@ -106,25 +46,9 @@ def first_labels(pieces, pi, N, completion, alive, limit):
         rest = completion[1, q, local_memory(visited, N, u)]
         bound = _least(left + rest[0], right + rest[1], _share(pieces.ready[q], pieces.a[q], width))
         if bound <= limit:
-            _set(labels, x, visited, q, left, right, pieces.ready[q], -1, bound)
+            put(labels, x, visited, q, left, right, pieces.ready[q], -1, bound)
             x += 1
     return select(labels, np.arange(x))
-
-
-@njit(cache=True)
-def _slot(visited, piece, size):
-    key = visited * np.uint64(0x9E3779B97F4A7C15) + np.uint64(piece) * np.uint64(0xC2B2AE3D27D4EB4F)
-    return np.int64((key ^ (key >> np.uint64(29))) & np.uint64(size - 1))
-
-
-@njit(cache=True)
-def _rehash(labels, count, size, following):
-    head = np.full(size, -1, np.int32)
-    for y in range(count):
-        slot = _slot(labels.visited[y], labels.piece[y], size)
-        following[y] = head[slot]
-        head[slot] = y
-    return head
 
 
 @njit(cache=True)
@@ -134,8 +58,10 @@ def extend(old, s, pieces, pi, N, completion, alive, limit, most, budget):
     Returns (labels, links, complete): the layer of s + 1 visits; links: (Y, 2) pairs (old label, new label) of all
     extensions within the limit, the dominated ones linked to what dominates them; complete is False if more than `most`
     labels or `budget` tried extensions were needed, and the labels are then of no use.
+
+    All in one function: handing these arrays to another for every extension makes numba count references each time.
     """
-    new, count = _empty(_FIRST_SIZE), 0
+    new, count = empty(_FIRST_SIZE), 0
     following = np.empty(_FIRST_SIZE, np.int32)
     heir = np.full(_FIRST_SIZE, -1, np.int32)  # the label that dominates a dropped one
     head = np.full(4 * _FIRST_SIZE, -1, np.int32)
@@ -178,7 +104,7 @@ def extend(old, s, pieces, pi, N, completion, alive, limit, most, budget):
             if linked == len(links):
                 links = np.concatenate((links, np.empty_like(links)))
             links[linked, 0] = x
-            slot = _slot(visited | bit, r, len(head))
+            slot = slot_of(visited | bit, r, len(head))
             better = _dominate(
                 new, head[slot], following, heir, count, visited | bit, r, left, right, early, share, pieces
             )
@@ -191,12 +117,12 @@ def extend(old, s, pieces, pi, N, completion, alive, limit, most, budget):
             if count == len(new.left):
                 if count >= most:
                     return new, links[:0], False
-                new = _grown(new)
+                new = grown(new)
                 following = np.concatenate((following, np.empty_like(following)))
                 heir = np.concatenate((heir, np.full(len(heir), -1, np.int32)))
-                head = _rehash(new, count, 4 * len(new.left), following)
-                slot = _slot(visited | bit, r, len(head))
-            _set(new, count, visited | bit, r, left, right, early, x, bound)
+                head = rehash(new, count, 4 * len(new.left), following)
+                slot = slot_of(visited | bit, r, len(head))
+            put(new, count, visited | bit, r, left, right, early, x, bound)
             following[count] = head[slot]
             head[slot] = count
             count += 1

@@ -14,14 +14,14 @@ import numpy as np
 from scipy import sparse
 
 from ..backends.answer import Progress
-from ..solution import relative_gap
 from . import memory
 from .forest import Forest
-from .incumbent import Incumbent
 from .multipliers import Relaxation, ascend
 from .partition import choose, relax_choice
 from .pieces import even_cuts, make_pieces
+from .refine import finer
 from .settle import Sets, settle
+from .standing import Standing
 
 _PIECES = 150
 _MEMORY = 7
@@ -38,28 +38,22 @@ _FEW_SEQUENCES = 1500
 _MOST_PIECES = 2000
 #: least length of a piece, as a share of the horizon
 _THINNEST = 1e-8
-#: every bound is lowered by this share, far above the rounding errors of the sums it comes from
-_SAFETY = 1e-9
-#: lengths below this share of the area's size count as nothing, for optima of 0
-_NEGLIGIBLE = 1e-8
 #: label extensions per second, an underestimate, to stop in time
 _RATE = 6e7
 
 
 class Search:
-    """A run of the exact solver for some targets of a graph. `bound` holds at every moment, `incumbent` is the best
-    found.
+    """A run of the exact solver for some targets of a graph; what it has found and proved is in `standing`.
 
-    cutoff: value from which solutions are of no interest; `bound` may then stop there. annealing: looks for tours
-    before each round, until a round has enumerated all labels; None does without.
+    cutoff: as in Standing; annealing: looks for tours before each round, until a round has enumerated all labels; None
+    does without.
     """
 
     def __init__(self, graph, targets, n_agents, gap, clock, progress=None, cutoff=math.inf, annealing=None):
         self.graph, self.targets, self.n, self.m = graph, list(targets), len(targets), min(n_agents, len(targets))
-        self.gap, self.clock, self.progress, self.cutoff, self.annealing = gap, clock, progress, cutoff, annealing
-        self.incumbent = Incumbent(graph, self.m)
-        self.bound, self.labels, self.columns, self.rounds, self.exhausted = 0.0, 0, 0, 0, False
-        self.negligible = _NEGLIGIBLE * graph.size
+        self.gap, self.clock, self.progress, self.annealing = gap, clock, progress, annealing
+        self.standing = Standing(graph, self.m, gap, cutoff)
+        self.labels, self.columns, self.rounds, self.exhausted = 0, 0, 0, False
         self.pi, self.most, self.beam = np.zeros(self.n), _FEW_LABELS, _BEAM
         self.enumerated, self.memory = False, _MEMORY
         windows = sum(self.graph.t_hi[i] - self.graph.t_lo[i] for i in self._segments())
@@ -75,33 +69,17 @@ class Search:
         self.after = np.ones((self.n + 1, len(a)), dtype=bool)
         self.before = np.ones((self.n, len(a)), dtype=bool)
 
-    # -- where the run stands
-
     @property
-    def upper(self):
-        return min(self.incumbent.objective, self.cutoff)
-
-    @property
-    def limit(self):
-        """Solutions at or above this value need not be looked at: the gap may stay that wide."""
-        return self.upper * (1.0 - 0.5 * self.gap) - 0.5 * self.negligible
-
-    def closed(self):
-        return self.bound >= self.upper * (1.0 - self.gap) - self.negligible
-
-    def raise_bound(self, bound):
-        self.bound = min(max(self.bound, bound * (1.0 - _SAFETY)), self.upper)
+    def incumbent(self):
+        return self.standing.incumbent
 
     def report(self, phase):
         if self.progress:
-            objective = None if math.isinf(self.incumbent.objective) else self.incumbent.objective
-            gap = relative_gap(objective, self.bound)
-            self.progress(Progress(self.clock.spent, objective, self.bound, gap, self.labels, phase, self.columns))
+            figures = self.standing.figures()
+            self.progress(Progress(self.clock.spent, *figures, self.labels, phase, self.columns))
 
     def over(self):
-        return self.closed() or self.exhausted or self.clock.out()
-
-    # -- the run
+        return self.standing.closed() or self.exhausted or self.clock.out()
 
     def run(self, iterations=40):
         """Run rounds until the gap is closed, infeasibility is proved (bound infinite) or time is up."""
@@ -127,15 +105,15 @@ class Search:
         pieces = make_pieces(self.graph, *self.cut, self.targets)
         N = memory.neighbourhoods(pieces, self.n, self.memory)
         relaxation = Relaxation(pieces, self.n, self.m, N, memory.transitions(N), self.after, self.before)
-        known = self.incumbent.columns(self.targets, self.cutoff)
+        known = self.incumbent.columns(self.targets, self.standing.cutoff)
         bound, self.pi = ascend(relaxation, self.pi, known, iterations, self.clock.out)
-        self.raise_bound(bound)
+        self.standing.raise_bound(bound)
         self.report("multipliers")
         if self.over():
             return
         if not self.enumerated:
             self.dive(relaxation)
-        relaxation.eliminate(self.pi, self.limit)
+        relaxation.eliminate(self.pi, self.standing.limit)
         if self.clock.out():
             return
         self.after, self.before = relaxation.after, relaxation.before
@@ -145,7 +123,7 @@ class Search:
 
     def dive(self, relaxation):
         """Look for tours among the routes of a beam of labels."""
-        forest = Forest(relaxation, self.pi, self.limit, np.inf, beam=self.beam, out_of_time=self.clock.out)
+        forest = Forest(relaxation, self.pi, self.standing.limit, np.inf, beam=self.beam, out_of_time=self.clock.out)
         if forest.complete and len(forest.cost):
             self.incumbent.improve(forest, np.arange(len(forest.cost)))
         self.report("beam")
@@ -154,7 +132,7 @@ class Search:
         """Grow all labels within the limit, bound every solution by the choice among their routes, drop unused
         pieces."""
         budget = self.clock.seconds * _RATE
-        forest = Forest(relaxation, self.pi, self.limit, self.most, budget=budget, out_of_time=self.clock.out)
+        forest = Forest(relaxation, self.pi, self.standing.limit, self.most, budget=budget, out_of_time=self.clock.out)
         self.labels += forest.size
         self.enumerated = forest.complete
         if not forest.complete:
@@ -163,8 +141,8 @@ class Search:
             return
         self.columns += len(forest.cost)
         sets = Sets(forest.visited, forest.cost, self.n)
-        relaxed = relax_choice(sets.members, sets.cost, self.m, self.limit)
-        self.raise_bound(min(relaxed.bound, self.limit))
+        relaxed = relax_choice(sets.members, sets.cost, self.m, self.standing.limit)
+        self.standing.raise_bound(min(relaxed.bound, self.standing.limit))
         alive = relaxed.slack[sets.of_column] >= forest.cost - sets.cost[sets.of_column]
         if alive.any():
             self.incumbent.improve(forest, np.flatnonzero(alive))
@@ -184,23 +162,23 @@ class Search:
         sequences = forest.sequences(leads, self.rounds * _FEW_SEQUENCES)
         if sequences is None:
             return
-        bounds = [self.limit]
+        bounds = [self.standing.limit]
         for route in sequences:
             self.incumbent.offer([route])
             if found := self.incumbent.timed(route):
                 bounds.append(found[2])
-        self.raise_bound(min(bounds))
+        self.standing.raise_bound(min(bounds))
         self.exhausted = True  # what is left of the gap is the accuracy of the time SOCPs
         self.report("sequences")
 
     def settle(self, sets):
         """Settle the competing sets of targets, each with one agent as a small instance of its own."""
         self.known = {}
-        settle(sets, self.m, lambda: self.limit, self.solve_set, self.settled, self.clock.out)
+        settle(sets, self.m, lambda: self.standing.limit, self.solve_set, self.settled, self.clock.out)
 
     def settled(self, bound):
         """Take a bound of the settling, and the best choice among the routes that it has found."""
-        self.raise_bound(bound)
+        self.standing.raise_bound(bound)
         if self.known:
             routes = list(self.known.values())
             visited = np.array([[float(u in targets) for targets in self.known] for u in range(self.n)])
@@ -227,7 +205,7 @@ class Search:
         self.labels, self.columns = self.labels + search.labels, self.columns + search.columns
         if search.incumbent.routes:
             self.known[targets] = search.incumbent.routes[0]
-        return search.bound
+        return search.standing.bound
 
     def refine(self):
         """Cut the pieces still in use into shorter parts, with the incumbent's visit times in the middle of theirs."""
@@ -235,29 +213,11 @@ class Search:
         if self.width < _THINNEST * self.graph.horizon:  # thinner pieces drown in rounding errors
             self.exhausted = True
             return
-        segment, a, b = self.cut
+        _, a, b = self.cut
         used = self.after.any(axis=0)
-        self.width = max(self.width, (b - a)[used].sum() / max(_MOST_PIECES - used.sum(), 1))
-        centre = self.incumbent.visit_times()
-        rows, origin = [], []
-        for q in np.flatnonzero(used):
-            for start, end in split(a[q], b[q], self.width, centre.get(int(segment[q]))):
-                rows.append((segment[q], start, end))
-                origin.append(q)
-        if not rows:  # nothing is left below the limit
-            self.raise_bound(self.limit)
+        if not used.any():  # nothing is left below the limit
+            self.standing.raise_bound(self.standing.limit)
             return
-        self.cut = tuple(np.array(part) for part in zip(*rows))
+        self.width = max(self.width, (b - a)[used].sum() / max(_MOST_PIECES - used.sum(), 1))
+        self.cut, origin = finer(self.cut, np.flatnonzero(used), self.width, self.incumbent.visit_times())
         self.after, self.before = self.after[:, origin], self.before[:, origin]
-
-
-def split(a, b, width, centre=None):
-    """Return (start, end) pairs that cut [a, b] into parts of about `width`, one of them around `centre` if that is
-    inside."""
-    if centre is None or not a < centre < b:
-        points = np.linspace(a, b, max(1, math.ceil((b - a) / width - 1e-9)) + 1)
-    else:
-        steps = np.arange(math.floor((a - centre) / width), math.ceil((b - centre) / width) + 1) - 0.5
-        inner = centre + steps * width
-        points = np.r_[a, inner[(inner > a + 0.1 * width) & (inner < b - 0.1 * width)], b]
-    return zip(points[:-1], points[1:])

@@ -1,30 +1,40 @@
-"""The benchmark script: a row for each setting, none run twice, and a table of them."""
+"""The benchmark's tables: counts and times of certified runs, and ratios that count each run for what it proves."""
 
-import csv
-import subprocess
-import sys
-from pathlib import Path
-
-SCRIPT = Path(__file__).parents[2] / "benchmarks" / "exact.py"
-DONE = """n,index,total_window,agents,status,objective,bound,gap,runtime_s,nodes,memory_mb,time_limit,version,machine
-5,0,20,1,optimal,1.0,1.0,0.0,0.25,1,100,20.0,0,none
-5,0,40,1,feasible,2.0,1.0,0.5,20.0,1,100,20.0,0,none
-5,0,60,1,crashed,,,,,,,20.0,0,none
-5,0,40,4,optimal,1.0,1.0,0.0,0.75,1,300,20.0,0,none
-5,1,40,4,optimal,1.0,1.0,0.00005,0.25,1,200,20.0,0,none
-"""
+import certification as benchmark
+import pandas as pd
+import pytest
 
 
-def test_what_has_a_row_is_not_run_again_and_all_rows_are_tabled(tmp_path):
-    results = tmp_path / "rows.csv"
-    results.write_text(DONE)
-    arguments = ["--sizes", "5", "--indices", "0", "--results", results, "--time-limit", "20"]
-    done = subprocess.run([sys.executable, SCRIPT, *arguments], capture_output=True, text=True, check=True)
-    written = results.read_text()
-    assert written.startswith(DONE)
-    new = list(csv.DictReader(written.splitlines()))[DONE.count("\n") - 1 :]
-    assert [(row["total_window"], row["agents"]) for row in new] == [("40", "2"), ("40", "3"), ("40", "5")]
-    assert all(row["status"] == "optimal" and float(row["gap"]) <= 1e-4 and row["machine"] for row in new)
-    assert done.stdout.count("\n| 5 |") == 7
-    assert "| 5 | 40 | 4 | 2 | 2 | 0.50 | 0.75 | 0.005 | 300 |" in done.stdout
-    assert "| 5 | 60 | 1 | 1 | 0 | - | - | - | - |" in done.stdout
+def _rows(*rows):
+    columns = ["n", "index", "total_window", "agents", "route", "status", "solve_time_s", "gap_percent", "memory_mb"]
+    table = pd.DataFrame(rows, columns=columns)
+    return table.assign(solved=table.status == "optimal")
+
+
+EXACT = _rows(
+    (10, 0, 40, 1, "exact", "optimal", 0.5, 0.005, 300),
+    (10, 1, 40, 1, "exact", "optimal", 1.5, 0.010, 400),
+    (10, 2, 40, 1, "exact", "feasible", 300.0, 2.0, 500),
+    (15, 0, 40, 1, "exact", "optimal", 2.0, 0.0, 300),
+)
+
+
+def test_certified_counts_and_times():
+    table = benchmark.certified(EXACT)
+    ten = table.loc[(10, 40, 1)]
+    assert (ten.runs, ten.certified, ten.median_s, ten.worst_s) == (3, 2, 1.5, 300.0)
+    assert (ten.worst_gap_percent, ten.memory_mb) == (2.0, 500)
+
+
+def test_ratios_are_by_instance_and_leave_out_what_is_not_certified():
+    others = _rows(
+        (10, 0, 40, 1, "micp/scip", "optimal", 10.0, 0.0, 200),
+        (10, 1, 40, 1, "micp/scip", "optimal", 0.75, 0.0, 200),
+        (10, 2, 40, 1, "micp/scip", "optimal", 1.0, 0.0, 200),
+        (15, 0, 40, 1, "micp/scip", "feasible", 1.0, 50.0, 200),
+    )
+    table = benchmark.ratios(EXACT, others)
+    ten = table.loc[("micp/scip", 10)]
+    assert (ten.runs, ten.solved, ten.slower, ten.least_ratio) == (2, 2, 1, 0.5)
+    assert ten.median_ratio == pytest.approx((20.0 + 0.5) / 2)
+    assert table.loc[("micp/scip", 15)].slower == 0  # the other proved nothing
