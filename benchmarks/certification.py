@@ -64,7 +64,7 @@ def tables(folder):
     yield from ("", certified(exact).reset_index().to_markdown(index=False, floatfmt=_FORMATS), "")
     others = read_table(folder / "reduced.csv")
     yield f'Time over the time of `method="exact"`; {conditions(others)}.'
-    yield from ("", ratios(exact, others).reset_index().to_markdown(index=False, floatfmt=".1f"))
+    yield from ("", ratios(exact, others).reset_index().astype({"n": int}).to_markdown(index=False, floatfmt=".1f"))
 
 
 def first_solves():
