@@ -38,20 +38,25 @@ class Incumbent:
         """Offer the best choice among all routes of these targets that were ever timed."""
         routes = [route for route, found in self._timed.items() if found]
         if self.m > 1 and routes:
-            visited = [set(self.graph.tau[list(route)]) for route in routes]
-            visits = np.array([[float(u in route) for route in visited] for u in targets])
-            costs = np.array([self._timed[route][0] for route in routes])
-            _, chosen = choose(sparse.csc_matrix(visits), costs, self.m, time_limit=_SECONDS)
-            if chosen is not None:
-                self.offer([routes[j] for j in chosen])
+            self.offer_choice(routes, targets, time_limit=_SECONDS)
 
-    def improve(self, forest, candidates, favourites=()):
+    def offer_choice(self, routes, targets, time_limit=None):
+        """Offer the best choice among routes that can be flown."""
+        visited = [set(self.graph.tau[list(route)]) for route in routes]
+        visits = np.array([[float(u in route) for route in visited] for u in targets])
+        costs = np.array([self.timed(route)[0] for route in routes])
+        _, chosen = choose(sparse.csc_matrix(visits), costs, self.m, time_limit)
+        if chosen is not None:
+            self.offer([routes[j] for j in chosen])
+
+    def improve(self, forest, candidates):
         """Time the most promising columns of a forest exactly, and offer the best choice among them.
 
-        candidates: columns to consider; favourites: columns to consider first.
+        candidates: columns to consider.
         """
         order = candidates[np.argsort(forest.bound[candidates], kind="stable")]
-        if self.m > 1 and len(order) > _TIMED and not len(favourites):
+        favourites = ()
+        if self.m > 1 and len(order) > _TIMED:
             few = order[:_FEW]
             _, chosen = choose(forest.members[:, few], forest.cost[few], self.m, time_limit=_SECONDS)
             favourites = () if chosen is None else few[chosen]

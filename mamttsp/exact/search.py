@@ -11,13 +11,12 @@ All bounds are of second order in the lengths of the pieces.
 import math
 
 import numpy as np
-from scipy import sparse
 
 from ..backends.answer import Progress
 from . import memory
 from .forest import Forest
 from .multipliers import Relaxation, ascend
-from .partition import choose, relax_choice
+from .partition import relax_choice
 from .pieces import even_cuts, make_pieces
 from .refine import finer
 from .settle import Sets, settle
@@ -54,7 +53,7 @@ class Search:
         self.gap, self.clock, self.progress, self.annealing = gap, clock, progress, annealing
         self.standing = Standing(graph, self.m, gap, cutoff)
         self.labels, self.columns, self.rounds, self.exhausted = 0, 0, 0, False
-        self.pi, self.most, self.beam = np.zeros(self.n), _FEW_LABELS, _BEAM
+        self.pi, self.most = np.zeros(self.n), _FEW_LABELS
         self.enumerated, self.memory = False, _MEMORY
         windows = sum(self.graph.t_hi[i] - self.graph.t_lo[i] for i in self._segments())
         self.width = max(windows / _PIECES, 1e-6 * graph.horizon)
@@ -123,7 +122,7 @@ class Search:
 
     def dive(self, relaxation):
         """Look for tours among the routes of a beam of labels."""
-        forest = Forest(relaxation, self.pi, self.standing.limit, np.inf, beam=self.beam, out_of_time=self.clock.out)
+        forest = Forest(relaxation, self.pi, self.standing.limit, np.inf, beam=_BEAM, out_of_time=self.clock.out)
         if forest.complete and len(forest.cost):
             self.incumbent.improve(forest, np.arange(len(forest.cost)))
         self.report("beam")
@@ -180,13 +179,7 @@ class Search:
         """Take a bound of the settling, and the best choice among the routes that it has found."""
         self.standing.raise_bound(bound)
         if self.known:
-            routes = list(self.known.values())
-            visited = np.array([[float(u in targets) for targets in self.known] for u in range(self.n)])
-            _, chosen = choose(
-                sparse.csc_matrix(visited), np.array([self.incumbent.timed(r)[0] for r in routes]), self.m
-            )
-            if chosen is not None:
-                self.incumbent.offer([routes[j] for j in chosen])
+            self.incumbent.offer_choice(list(self.known.values()), self.targets)
         self.report("settle")
 
     def solve_set(self, targets, cutoff, dual):

@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import nbformat
+
 from mamttsp.course import notebooks
 
 ROOT = Path(__file__).parents[2]
@@ -19,6 +21,18 @@ def lay_out(notebook, folder):
     for name in ("notebooks", "figures", "paper_results"):
         shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns(".ipynb_checkpoints", "website"))
     return folder / notebook.relative_to(ROOT)
+
+
+def code_cells(notebook):
+    """Return the code cells of a notebook's file."""
+    return [cell for cell in nbformat.read(notebook, as_version=4).cells if cell.cell_type == "code"]
+
+
+def assert_executed(notebook):
+    """Assert that all cells were executed in order, and none of them failed."""
+    cells = code_cells(notebook)
+    assert [cell.execution_count for cell in cells] == list(range(1, len(cells) + 1))
+    assert not [output for cell in cells for output in cell.outputs if output.output_type == "error"]
 
 
 def run(notebook):

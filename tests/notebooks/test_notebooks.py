@@ -4,15 +4,10 @@ nbval does both in one go, so that no notebook is executed twice: all cells run,
 of the cells with the tag nbval-check-output are compared with what is committed.
 """
 
-import nbformat
 import pytest
-from notebooks.running import CHECKED, NOTEBOOKS, lay_out, run
+from notebooks.running import CHECKED, NOTEBOOKS, assert_executed, code_cells, lay_out, run
 
 of_each_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
-
-
-def code_cells(path):
-    return [cell for cell in nbformat.read(path, as_version=4).cells if cell.cell_type == "code"]
 
 
 def checked(cell):
@@ -27,9 +22,7 @@ def test_a_fresh_run_says_the_same(path, tmp_path):
 
 @of_each_notebook
 def test_the_committed_notebook_is_executed_in_order_and_without_errors(path):
-    cells = code_cells(path)
-    assert [cell.execution_count for cell in cells] == list(range(1, len(cells) + 1))
-    assert not [output for cell in cells for output in cell.outputs if output.output_type == "error"]
+    assert_executed(path)
 
 
 @of_each_notebook
