@@ -4,7 +4,7 @@ import dataclasses
 
 from .solution import Solution
 from .subtours import read_flow, targets_of
-from .tours import best_tours
+from .times import best_tours
 
 
 @dataclasses.dataclass(frozen=True)

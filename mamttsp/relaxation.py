@@ -7,7 +7,7 @@ import networkx as nx
 import numpy as np
 
 from .backends.conic import conic_program
-from .backends.conic_solver import claims_infeasible, dual_point, minimise
+from .conic_solver import claims_infeasible, dual_point, minimise
 from .formulations import build_formulation
 from .graph import build_graph
 from .instance import InputError
@@ -42,7 +42,7 @@ def relaxation(formulation):
     """Solve the continuous relaxation of a built Formulation, "micp" or "baseline", and return the Relaxation.
 
     It takes the model as it is: what has been added or switched off counts. The bound is proved by Clarabel's dual
-    point, residual included (see backends.conic_solver): it is a little below the relaxation's optimum, by up to about
+    point, residual included (see conic_solver): it is a little below the relaxation's optimum, by up to about
     1e-6 of it, and never above.
     """
     graph, n_agents = formulation.graph, formulation.n_agents

@@ -4,7 +4,7 @@ import dataclasses
 
 from .solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, Solution, relative_gap
 from .subtours import FlowError, read_flow, shortest_unflyable, targets_of
-from .tours import best_tours
+from .times import best_tours
 
 #: how far a solver's bound may be off through its tolerances, relative to the objective and to the instance's size
 BOUND_TOLERANCE = 1e-5

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import networkx as nx
 
-from .tours import earliest_times
+from .times import earliest_times
 
 
 class FlowError(RuntimeError):

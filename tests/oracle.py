@@ -11,7 +11,7 @@ import math
 import numpy as np
 
 from mamttsp import build_graph
-from mamttsp.tours import best_times, earliest_times
+from mamttsp.times import best_times, earliest_times
 
 
 def optimum(instance):
@@ -29,7 +29,9 @@ def optimum(instance):
 
 def subsets(items):
     """Return all subsets of the items, the empty one first."""
-    return [frozenset(chosen) for size in range(len(items) + 1) for chosen in itertools.combinations(sorted(items), size)]
+    return [
+        frozenset(chosen) for size in range(len(items) + 1) for chosen in itertools.combinations(sorted(items), size)
+    ]
 
 
 @functools.lru_cache(maxsize=None)

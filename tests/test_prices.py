@@ -6,7 +6,7 @@ from examples import instance, still
 
 from mamttsp import build_graph, generate, solve
 from mamttsp.prices import pinned_lengths, relaxed_times, time_prices
-from mamttsp.tours import best_times
+from mamttsp.times import best_times
 
 
 @pytest.fixture(scope="module", params=[(4, 40, 1), (5, 60, 6), (5, 40, 33)])

@@ -10,7 +10,7 @@ from oracle import optimum
 
 from mamttsp import InputError, build_graph, generate
 from mamttsp.backends.conic import conic_program
-from mamttsp.backends.conic_solver import minimise
+from mamttsp.conic_solver import minimise
 from mamttsp.formulations import build_formulation
 from mamttsp.relaxation import depot_shares, relax, relaxation
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from ..subtours import read_flow
-from ..tours import best_tours
+from ..times import best_tours
 from .rounding import round_flow
 
 

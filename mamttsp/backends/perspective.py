@@ -11,7 +11,7 @@ import math
 import numpy as np
 from scipy import sparse
 
-from .conic_solver import claims_infeasible, dual_point, minimise
+from ..conic_solver import claims_infeasible, dual_point, minimise
 from .edge_rows import EdgeRows, without_positions
 
 #: least width of an interval of time, as a fraction of the horizon, so that the relaxation has an interior

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..tours import earliest_times
+from ..times import earliest_times
 
 
 def round_flow(graph, y, alive, n_agents):

@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 from scipy.optimize import LinearConstraint, milp
 
-from ..tours import best_times, earliest_times
+from ..times import best_times, earliest_times
 
 #: relative slack within which a hop counts as in time; improvements below it end the method
 _SLACK = 1e-9

@@ -6,7 +6,8 @@ import numpy as np
 import pyomo.environ as pyo
 
 from ..subtours import read_flow
-from ..tours import Visit, to_tour
+from ..times import to_tour
+from ..tours import Visit
 
 
 class Recovered(NamedTuple):

@@ -12,7 +12,7 @@ from mamttsp import InputError, build_graph, check, generate
 from mamttsp.backends import Options, clarabel
 from mamttsp.formulations import build_formulation
 from mamttsp.subtours import read_flow
-from mamttsp.tours import best_tours
+from mamttsp.times import best_tours
 
 EXACT = Options(gap=1e-6)
 #: some of these are better off with two agents, some need many nodes
@@ -129,5 +129,5 @@ def test_the_same_search_every_time():
 
 def test_other_methods_are_refused():
     formulation = build_formulation("baseline", "cvxpy", build_graph(instance(still(5, 0))), 1)
-    with pytest.raises(InputError, match='^method: .*solves "micp", found \'baseline\'$'):
+    with pytest.raises(InputError, match="^method: .*solves \"micp\", found 'baseline'$"):
         clarabel.solve(formulation, EXACT)

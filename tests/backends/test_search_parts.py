@@ -14,7 +14,7 @@ from mamttsp.backends.rounding import round_flow
 from mamttsp.backends.separation import violated_sets
 from mamttsp.formulations import build_formulation
 from mamttsp.subtours import read_flow
-from mamttsp.tours import best_times, earliest_times
+from mamttsp.times import best_times, earliest_times
 
 INSTANCES = [generate(3, 60, 2, seed=3), generate(4, 40, 1, seed=2), generate(4, 20, 2, seed=5)]
 

@@ -20,7 +20,8 @@ def through(velocity, place=PLACE, windows=AROUND):
 
 @pytest.mark.parametrize("m", [1, 2])
 @pytest.mark.parametrize(
-    "speeds", [(0.7, -0.7), (0.9, -0.4), (0.9, -0.4, 0.2), (1.0, 0.5, 0.0, -0.5, -1.0), (1.0, 0.6, 0.2, -0.2, -0.6, -1.0)]
+    "speeds",
+    [(0.7, -0.7), (0.9, -0.4), (0.9, -0.4, 0.2), (1.0, 0.5, 0.0, -0.5, -1.0), (1.0, 0.6, 0.2, -0.2, -0.6, -1.0)],
 )
 def test_targets_that_meet_at_a_point_are_visited_there(speeds, m):
     problem = instance(*(through((0.0, speed)) for speed in speeds), n_agents=m)

@@ -8,7 +8,7 @@ from examples import instance, still
 
 from mamttsp import build_graph, check, generate, solve
 from mamttsp.formulations.alternate import alternate, best_route, flyable_routes
-from mamttsp.tours import best_tours
+from mamttsp.times import best_tours
 
 INSTANCE = generate(3, 40, seed=2)
 GRAPH = build_graph(INSTANCE)

@@ -12,7 +12,7 @@ from mamttsp.formulations.assignment import assign, segment_of
 from mamttsp.formulations.equations import EQUATIONS
 from mamttsp.formulations.residuals import objective, residuals
 from mamttsp.subtours import read_flow
-from mamttsp.tours import best_tours
+from mamttsp.times import best_tours
 
 TOLERANCE = 1e-6
 

@@ -10,7 +10,7 @@ from mamttsp.formulations import build_formulation
 from mamttsp.formulations.assignment import assign
 from mamttsp.formulations.recovery import recover
 from mamttsp.meetings import passing
-from mamttsp.tours import best_tours
+from mamttsp.times import best_tours
 
 HOME = Tour((Visit(0, 2.5, (10.0, 0.0)),), 5.0)
 CYCLE = (Visit(1, 50.0, (60.0, 0.0)), Visit(2, 50.0, (60.0, 0.0)))

@@ -9,7 +9,7 @@ from mamttsp.formulations import build_formulation
 from mamttsp.formulations.assignment import assign, segment_of
 from mamttsp.formulations.equations import EQUATIONS
 from mamttsp.formulations.residuals import residuals
-from mamttsp.tours import best_tours
+from mamttsp.times import best_tours
 
 TOLERANCE = 1e-6
 
@@ -25,10 +25,18 @@ DAMAGE = {
     ("baseline", "l_xy", "hop", 500): {"displacement", "norm"},
     ("baseline", "l_bar", "hop", -0.5): {"big_m", "norm"},
     ("nonconvex", "y", "second start", 1): {
-        "depot_flow_out", "target_flow_in", "flow_conservation", "product_z_p_prime", "product_z_t_prime",
+        "depot_flow_out",
+        "target_flow_in",
+        "flow_conservation",
+        "product_z_p_prime",
+        "product_z_t_prime",
     },
     ("nonconvex", "y", "second end", 1): {
-        "depot_flow_in", "flow_conservation", "product_z_p", "product_z_t", "product_z_t_prime",
+        "depot_flow_in",
+        "flow_conservation",
+        "product_z_p",
+        "product_z_t",
+        "product_z_t_prime",
     },
     ("nonconvex", "t", "node", 500): {"node_time_window", "node_position", "product_z_t", "product_z_t_prime"},
     ("nonconvex", "p", "node", 1): {"node_position", "product_z_p", "product_z_p_prime"},
@@ -42,8 +50,12 @@ DAMAGE = {
     ("micp", "alpha", None, 3): {"flow_from_depot", "flow_to_depot", "number_of_agents"},
     ("micp", "alpha", None, -0.5): {"flow_from_depot", "flow_to_depot", "number_of_agents", "integrality"},
     ("micp", "y", "hop", -1): {
-        "one_segment_per_cluster", "flow_conservation", "time_at_tail", "time_at_head",
-        "position_at_tail", "position_at_head",
+        "one_segment_per_cluster",
+        "flow_conservation",
+        "time_at_tail",
+        "time_at_head",
+        "position_at_tail",
+        "position_at_head",
     },
     ("micp", "l", "hop", 2000): {"speed"},
     ("micp", "l", "hop", -0.5): {"norm"},

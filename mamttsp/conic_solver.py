@@ -6,7 +6,6 @@ each |x_j| that is a number, and the sum of both is a proved bound (up to roundi
 solver stopped early. The same inequality with c = 0 proves that nothing is feasible, if -b z + r x > 0 for all x.
 """
 
-
 import clarabel
 import numpy as np
 from scipy import sparse
@@ -35,6 +34,11 @@ def dual_point(answer, n_zero, n_nonneg):
     head, x, y = z[linear::3], z[linear + 1 :: 3], z[linear + 2 :: 3]
     z[linear::3] = np.maximum(head, np.hypot(x, y) * (1 + 1e-15))
     return z
+
+
+def claims_optimal(answer):
+    """Tell whether the solver takes its point for an optimal one, to its own or to a looser tolerance."""
+    return answer.status in (clarabel.SolverStatus.Solved, clarabel.SolverStatus.AlmostSolved)
 
 
 def claims_infeasible(answer):

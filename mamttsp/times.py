@@ -1,0 +1,157 @@
+"""The best times for a given order of segments: a small SOCP, and earliest and latest times in closed form."""
+
+import math
+
+import numpy as np
+from scipy import sparse
+
+from .conic_solver import claims_optimal, dual_point, minimise
+from .motion import earliest_meeting
+from .tours import Tour, Visit
+
+
+def earliest_times(graph, route):
+    """Return the earliest visit times (len(route),) of the segments in order, or None if they cannot be flown in time.
+
+    route: nodes of V_seg in the order of their visits. Flying at v_max is best for time: movers are slower than agents.
+    """
+    times = np.empty(len(route))
+    t, p = 0.0, graph.p_lo[graph.s]
+    for k, i in enumerate(route):
+        times[k] = t = _meeting(graph, p, t, i)
+        if math.isinf(t):
+            return None
+        p = graph.position(i, t)
+    return None if math.isinf(_meeting(graph, p, t, graph.s_prime)) else times
+
+
+def _meeting(graph, p, t, i):
+    q, v = graph.p_lo[i], graph.v[i]
+    return earliest_meeting(
+        p[0], p[1], t, q[0], q[1], graph.t_lo[i], v[0], v[1], graph.t_lo[i], graph.t_hi[i], graph.max_speed
+    )
+
+
+def best_times(graph, route):
+    """Return (length, times): the shortest tour through the segments of `route` in order, None if none is in time.
+
+    times: (len(route),) visit times in s. The times come from an SOCP (Clarabel) and are then nudged forward onto
+    times that can be flown exactly, so `length` is the length of a real tour, within about 1e-8 of the optimum.
+    """
+    found = bounded_times(graph, route)
+    return None if found is None else found[:2]
+
+
+def bounded_times(graph, route):
+    """Return (length, times, bound): as `best_times`, with the SOCP's dual bound on every tour of this order.
+
+    The bound holds whatever the accuracy of Clarabel's answer.
+    """
+    earliest = earliest_times(graph, route)
+    if earliest is None:
+        return None
+    solved, bound = _solve_times(graph, route)
+    candidates = [earliest] if solved is None else [earliest, _flyable_times(graph, route, solved)]
+    length, times = min(((_length(graph, route, times), times) for times in candidates), key=lambda found: found[0])
+    return length, times, min(bound, length)
+
+
+def best_tours(graph, routes):
+    """Return (length, tours) for a set of routes, each with its best times; None if one of them cannot be flown."""
+    total, tours = 0.0, []
+    for route in routes:
+        found = best_times(graph, route)
+        if found is None:
+            return None
+        total += found[0]
+        tours.append(to_tour(graph, route, found[1]))
+    return total, tours
+
+
+def to_tour(graph, route, times):
+    """Return the Tour through the segments of `route` at the given times, back at the depot as soon as can be."""
+    visits = tuple(
+        Visit(int(graph.tau[i]), float(t), tuple(map(float, graph.position(i, t)))) for i, t in zip(route, times)
+    )
+    home = _meeting(graph, visits[-1].position, visits[-1].time, graph.s_prime) if visits else 0.0
+    return Tour(visits, float(min(home, graph.horizon)))
+
+
+def _length(graph, route, times):
+    stops = np.vstack([graph.p_lo[:1], *(graph.position(i, t)[None] for i, t in zip(route, times)), graph.p_lo[-1:]])
+    return float(np.linalg.norm(np.diff(stops, axis=0), axis=1).sum())
+
+
+def _flyable_times(graph, route, times):
+    """Pull each time forward to where all later visits can still be made, push it to where the agent can be by then."""
+    flown = np.empty(len(route))
+    t, p = 0.0, graph.p_lo[graph.s]
+    for k, (i, latest) in enumerate(zip(route, _latest_times(graph, route))):
+        soonest = _meeting(graph, p, t, i)
+        wish = min(max(times[k], graph.t_lo[i]), latest)
+        flown[k] = t = graph.t_hi[i] if math.isinf(soonest) else max(wish, soonest)
+        p = graph.position(i, t)
+    return flown
+
+
+def _latest_times(graph, route):
+    """Return (len(route),) the latest times of the visits that leave time for all later ones, home by the horizon.
+
+    Seen backwards in time these are earliest meetings, with motions reversed.
+    """
+    latest = np.empty(len(route))
+    t, p = graph.horizon, graph.p_lo[graph.s_prime]
+    for k, i in reversed(list(enumerate(route))):
+        q, v, start, end = graph.p_hi[i], -graph.v[i], -graph.t_hi[i], -graph.t_lo[i]
+        back = earliest_meeting(p[0], p[1], -t, q[0], q[1], start, v[0], v[1], start, end, graph.max_speed)
+        latest[k] = t = max(-back, graph.t_lo[i])
+        p = graph.position(i, t)
+    return latest
+
+
+def _solve_times(graph, route):
+    """Return (times, bound): the optimal visit times of a fixed order, None if Clarabel does not answer, and the
+    dual bound."""
+    cost, A, b, size, (least, most) = _program(graph, route)
+    answer = minimise(cost, A, b, *size)
+    z = dual_point(answer, *size)
+    residual = cost + A.T @ z
+    bound = float(-b @ z + np.minimum(residual * least, residual * most).sum()) * _unit(graph)
+    return np.array(answer.x[: len(route)]) * graph.horizon if claims_optimal(answer) else None, bound
+
+
+def _unit(graph):
+    """The length that is 1 in the program, near all others."""
+    return graph.size or 1.0
+
+
+def _program(graph, route):
+    """Return (cost, A, b, size, bounds) of the SOCP of a fixed order: min cost x, b - A x in `size` cones, see
+    `conic_solver.minimise`; bounds: the least and the most that x can be.
+
+    x: times t_1..t_K and leg lengths l_0..l_K, in the units T and R of the instance so that the data are near one.
+    Rows: windows; l_k <= v_max * (t_k+1 - t_k); ||p_k+1(t_k+1) - p_k(t_k)|| <= l_k as second-order cones.
+    """
+    K, R, T = len(route), _unit(graph), graph.horizon
+    nodes = [graph.s, *route, graph.s_prime]
+    speed, v = graph.max_speed * T / R, graph.v[nodes] * T / R
+    offset = np.diff(graph.p_lo[nodes] - graph.t_lo[nodes, None] * graph.v[nodes], axis=0) / R
+    opens, closes = graph.t_lo[route] / T, graph.t_hi[route] / T
+    k, leg, none = np.arange(K), np.arange(K + 1), np.zeros(K + 1)
+    into, out = leg[:-1], leg[1:]  # the legs into and out of each visit
+    cone, ones = 3 * K + 1 + 3 * leg, np.ones(K)
+    entries = [
+        (k, k, -ones),
+        (K + k, k, ones),
+        (2 * K + into, k, -speed * ones),
+        (2 * K + out, k, speed * ones),
+        (2 * K + leg, K + leg, np.ones(K + 1)),
+        (cone, K + leg, -np.ones(K + 1)),
+    ]
+    for axis in (0, 1):
+        entries += [(cone[into] + 1 + axis, k, -v[1:-1, axis]), (cone[out] + 1 + axis, k, v[1:-1, axis])]
+    row, column, value = (np.concatenate(part) for part in zip(*entries))
+    A = sparse.csc_matrix((value, (row, column)), shape=(6 * K + 4, 2 * K + 1))
+    b = np.r_[-opens, closes, np.zeros(K), speed, np.c_[none, offset].ravel()]  # t_0 = 0, the last arrival up to T
+    bounds = np.r_[opens, none], np.r_[closes, np.full(K + 1, speed)]
+    return np.r_[np.zeros(K), np.ones(K + 1)], A, b, (0, 3 * K + 1), bounds
