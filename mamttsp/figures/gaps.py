@@ -28,6 +28,7 @@ def true_gap_view(rows, side, ax=None):
     ax.set(xlabel="targets", ylabel=_SIDES[side], ylim=(-RESOLUTION / 2, 300), yticks=[0, 0.01, 0.1, 1, 10, 100])
     ax.set_yticklabels(["0", "0.01", "0.1", "1", "10", "100"])
     ax.set_xticks(range(1, len(sizes) + 1), [f"{n:g}" for n in sizes])
+    ax.set_xlim(0.5, len(sizes) + 0.5)  # room for a number without a box
     for route in routes:
         ax.plot([], [], **_points(route), label=route_name(route))
     legend_above(ax)

@@ -92,3 +92,10 @@ def test_bounds_are_drawn_for_runs_without_tours_too():
     assert _points(ax, 0) == [[0, 10, 40]] and _points(ax, 1) == [[100], [30]]
     assert not ax.texts and [label.get_text() for label in ax.get_xticklabels()] == ["5", "10"]
     assert ax.get_ylabel() == "bound below optimum (%)"
+
+
+def test_the_number_of_a_group_without_any_tours_is_in_view():
+    rows = pd.concat([GAPS, pd.DataFrame({"n": [15], "route": ["baseline/scip"], "incumbent_percent": [math.nan]})])
+    ax = true_gap_view(rows, "incumbent_percent")
+    places, (left, right) = [text.xy[0] for text in ax.texts], ax.get_xlim()
+    assert len(places) == 2 and all(left < place < right for place in places)
