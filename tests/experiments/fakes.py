@@ -16,8 +16,9 @@ from mamttsp.experiments.process import WORKER
 FAKE_WORKER = (sys.executable, str(Path(__file__).with_name("fake_worker.py")))
 #: a campaign on runs 0 to N-1, which the script does in S seconds each
 _CAMPAIGN = """
-import sys
+import signal, sys
 from mamttsp.experiments import Run, campaign
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background job is started without it
 path, number, seconds, scheduler, *command = sys.argv[1:]
 runs = [Run(5, index, 20, 1, "fake", None, None, float(seconds)) for index in range(int(number))]
 where = {"scheduler": scheduler} if scheduler else {"jobs": 2}
