@@ -1,5 +1,6 @@
 """The best times for a given order of segments: a small SOCP, and earliest and latest times in closed form."""
 
+import functools
 import math
 
 import numpy as np
@@ -134,24 +135,28 @@ def _program(graph, route):
     """
     K, R, T = len(route), _unit(graph), graph.horizon
     nodes = [graph.s, *route, graph.s_prime]
-    speed, v = graph.max_speed * T / R, graph.v[nodes] * T / R
+    speed, v = graph.max_speed * T / R, graph.v[route] * T / R
     offset = np.diff(graph.p_lo[nodes] - graph.t_lo[nodes, None] * graph.v[nodes], axis=0) / R
     opens, closes = graph.t_lo[route] / T, graph.t_hi[route] / T
-    k, leg, none = np.arange(K), np.arange(K + 1), np.zeros(K + 1)
-    into, out = leg[:-1], leg[1:]  # the legs into and out of each visit
-    cone, ones = 3 * K + 1 + 3 * leg, np.ones(K)
-    entries = [
-        (k, k, -ones),
-        (K + k, k, ones),
-        (2 * K + into, k, -speed * ones),
-        (2 * K + out, k, speed * ones),
-        (2 * K + leg, K + leg, np.ones(K + 1)),
-        (cone, K + leg, -np.ones(K + 1)),
-    ]
-    for axis in (0, 1):
-        entries += [(cone[into] + 1 + axis, k, -v[1:-1, axis]), (cone[out] + 1 + axis, k, v[1:-1, axis])]
-    row, column, value = (np.concatenate(part) for part in zip(*entries))
-    A = sparse.csc_matrix((value, (row, column)), shape=(6 * K + 4, 2 * K + 1))
-    b = np.r_[-opens, closes, np.zeros(K), speed, np.c_[none, offset].ravel()]  # t_0 = 0, the last arrival up to T
-    bounds = np.r_[opens, none], np.r_[closes, np.full(K + 1, speed)]
-    return np.r_[np.zeros(K), np.ones(K + 1)], A, b, (0, 3 * K + 1), bounds
+    ones, none = np.ones(K + 1), np.zeros(K + 1)
+    by_speed, by_v = np.repeat([-1.0, 1.0, -speed, speed], K), np.c_[-v[:, 0], v[:, 0], -v[:, 1], v[:, 1]].ravel("F")
+    row, column_ends, order = _pattern(K)
+    values = np.concatenate([by_speed, ones, -ones, by_v])[order]
+    A = sparse.csc_matrix((values, row, column_ends), shape=(6 * K + 4, 2 * K + 1))
+    b = np.r_[-opens, closes, none[1:], speed, np.c_[none, offset].ravel()]  # t_0 = 0, the last arrival up to T
+    bounds = np.r_[opens, none], np.r_[closes, speed * ones]
+    return np.r_[none[1:], ones], A, b, (0, 3 * K + 1), bounds
+
+
+@functools.lru_cache(maxsize=None)
+def _pattern(K):
+    """Return (row of each entry, ends of the columns, order): where A of a program of K visits has entries, column by
+    column, and the order that sorts its values so."""
+    k, leg = np.arange(K), np.arange(K + 1)
+    into, out, cone = leg[:-1], leg[1:], 3 * K + 1 + 3 * leg  # the legs into and out of each visit; heads of the cones
+    entries = [(k, k), (K + k, k), (2 * K + into, k), (2 * K + out, k), (2 * K + leg, K + leg), (cone, K + leg)]
+    entries += [(cone[legs] + 1 + axis, k) for axis in (0, 1) for legs in (into, out)]
+    row, column = (np.concatenate(part) for part in zip(*entries))
+    order = np.lexsort((row, column))
+    ends = np.searchsorted(column[order], np.arange(2 * K + 2))
+    return row[order].astype(np.int32), ends.astype(np.int32), order

@@ -62,9 +62,13 @@ class Incumbent:
             favourites = () if chosen is None else few[chosen]
         routes = {}
         for column in (*favourites, *order):
+            if forest.bound[column] >= self.objective:  # in no better tours, nor are those that follow
+                break
             route = forest.segments(column)
             if self.timed(route) is not None:
                 routes.setdefault(route, column)
+                if self.m == 1:
+                    self.offer([route])
             if len(routes) >= _TIMED:
                 break
         if routes:

@@ -23,13 +23,17 @@ from .settle import Sets, settle
 from .standing import Standing
 
 _PIECES = 150
-_MEMORY = 7
-#: routes of so few targets need little memory and no multipliers of their own
-_SMALL, _SMALL_MEMORY = 10, 4
+#: targets that a relaxed route remembers, and iterations of column generation in the first round
+_MEMORY, _ASCENT = 7, 15
+#: the same for so few targets: their labels are few, however weak the bound
+_SMALL, _SMALL_MEMORY, _SMALL_ASCENT = 10, 4, 5
+#: iterations from good multipliers
+_FEW_MORE = 10
 _BEAM = 1000
 _FEW_LABELS, _MOST_LABELS = 500_000, 8_000_000
-#: iterations of ruin and recreate between two looks at the clock
-_STEP = 500
+#: iterations of ruin and recreate between two looks at the clock, and how many looks: n^2 over a number that is smaller
+#: after a first round that did not suffice
+_STEP, _QUICK, _LONG = 500, 60, 20
 _FEW_SETS = 2500
 #: of segments that are timed one by one, in each round as many more: targets that meet leave ties for ever
 _FEW_SEQUENCES = 1500
@@ -54,7 +58,8 @@ class Search:
         self.standing = Standing(graph, self.m, gap, cutoff)
         self.labels, self.columns, self.rounds, self.exhausted = 0, 0, 0, False
         self.pi, self.most = np.zeros(self.n), _FEW_LABELS
-        self.enumerated, self.memory = False, _MEMORY
+        self.enumerated = False
+        self.memory, self.ascent = (_SMALL_MEMORY, _SMALL_ASCENT) if self.n <= _SMALL else (_MEMORY, _ASCENT)
         windows = sum(self.graph.t_hi[i] - self.graph.t_lo[i] for i in self._segments())
         self.width = max(windows / _PIECES, 1e-6 * graph.horizon)
         self.start_from(*even_cuts(graph, self._segments(), self.width))
@@ -80,15 +85,15 @@ class Search:
     def over(self):
         return self.standing.closed() or self.exhausted or self.clock.out()
 
-    def run(self, iterations=40):
+    def run(self):
         """Run rounds until the gap is closed, infeasibility is proved (bound infinite) or time is up."""
         while not self.over():
-            self.round(iterations)
-            iterations = min(iterations, 10)
+            self.round()
+            self.ascent = min(self.ascent, _FEW_MORE)
 
     def search_tours(self, annealing):
         """Look for tours by ruin and recreate, in steps short enough to end in time, then among all their routes."""
-        steps = max(1, self.n**2 // 20)
+        steps = max(1, self.n**2 // (_QUICK if self.rounds == 1 else _LONG))
         for step in range(steps):
             if self.clock.out():
                 break
@@ -97,7 +102,7 @@ class Search:
         self.incumbent.recombine(self.targets)
         self.report("heuristic")
 
-    def round(self, iterations):
+    def round(self):
         self.rounds += 1
         if self.annealing and not self.enumerated:
             self.search_tours(self.annealing)
@@ -105,7 +110,7 @@ class Search:
         N = memory.neighbourhoods(pieces, self.n, self.memory)
         relaxation = Relaxation(pieces, self.n, self.m, N, memory.transitions(N), self.after, self.before)
         known = self.incumbent.columns(self.targets, self.standing.cutoff)
-        bound, self.pi = ascend(relaxation, self.pi, known, iterations, self.clock.out)
+        bound, self.pi = ascend(relaxation, self.pi, known, self.ascent, self.clock.out)
         self.standing.raise_bound(bound)
         self.report("multipliers")
         if self.over():
@@ -192,9 +197,8 @@ class Search:
         search = Search(self.graph, mine, 1, 0.1 * self.gap, self.clock, cutoff=cutoff)
         search.start_from(segment[part], a[part], b[part])
         search.width, search.pi = self.width, dual[list(targets)]
-        if small := len(mine) <= _SMALL:
-            search.memory = _SMALL_MEMORY
-        search.run(1 if small else 10)
+        search.ascent = 1 if len(mine) <= _SMALL else _FEW_MORE
+        search.run()
         self.labels, self.columns = self.labels + search.labels, self.columns + search.columns
         if search.incumbent.routes:
             self.known[targets] = search.incumbent.routes[0]
