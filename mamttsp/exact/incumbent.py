@@ -8,8 +8,8 @@ from scipy import sparse
 from ..times import bounded_times, to_tour
 from .partition import choose
 
-#: how many routes of a forest are timed exactly in search of better tours
-_TIMED = 150
+#: how many routes of a forest are timed exactly in search of better tours, for each target
+_TIMED = 5
 #: how many columns a heuristic choice looks at, and for how many seconds
 _FEW, _SECONDS = 3000, 1.0
 
@@ -55,8 +55,9 @@ class Incumbent:
         candidates: columns to consider.
         """
         order = candidates[np.argsort(forest.bound[candidates], kind="stable")]
+        most = _TIMED * forest.members.shape[0]
         favourites = ()
-        if self.m > 1 and len(order) > _TIMED:
+        if self.m > 1 and len(order) > most:
             few = order[:_FEW]
             _, chosen = choose(forest.members[:, few], forest.cost[few], self.m, time_limit=_SECONDS)
             favourites = () if chosen is None else few[chosen]
@@ -69,7 +70,7 @@ class Incumbent:
                 routes.setdefault(route, column)
                 if self.m == 1:
                     self.offer([route])
-            if len(routes) >= _TIMED:
+            if len(routes) >= most:
                 break
         if routes:
             costs = np.array([self.timed(route)[0] for route in routes])

@@ -25,7 +25,7 @@ from .standing import Standing
 _PIECES = 150
 #: targets that a relaxed route remembers, and iterations of column generation in the first round
 _MEMORY, _ASCENT = 7, 15
-#: the same for so few targets: their labels are few, however weak the bound
+#: the same for so few targets: their labels are few, however weak the bound, and a beam is not needed
 _SMALL, _SMALL_MEMORY, _SMALL_ASCENT = 10, 4, 5
 #: iterations from good multipliers
 _FEW_MORE = 10
@@ -115,7 +115,7 @@ class Search:
         self.report("multipliers")
         if self.over():
             return
-        if not self.enumerated:
+        if not self.enumerated and self.n > _SMALL:
             self.dive(relaxation)
         relaxation.eliminate(self.pi, self.standing.limit)
         if self.clock.out():
