@@ -1,9 +1,10 @@
 """Tell how fast the exact solver is: tables from the committed rows of campaigns, and its first solves.
 
-    python benchmarks/certification.py            tables of paper_results/exact.csv and reduced.csv, into README.md
+    python benchmarks/certification.py            tables of exact.csv, reduced.csv and longer.csv, into README.md
     python benchmarks/certification.py --start    first solves: nothing compiled, and new process
 
-The rows themselves come from `python -m mamttsp campaign --profile exact` and `--profile reduced`.
+The rows themselves, in paper_results/, come from `python -m mamttsp campaign --profile exact` and `--profile reduced`,
+and from `longer.py`.
 """
 
 import argparse
@@ -58,13 +59,14 @@ def ratios(exact, others):
 
 
 def tables(folder):
-    """Yield the lines of both tables, each with the conditions of its rows."""
+    """Yield the lines of the tables, each with the conditions of its rows."""
     exact = read_table(folder / "exact.csv")
     yield f'Certified by `method="exact"`; {conditions(exact)}.'
-    yield from ("", certified(exact).reset_index().to_markdown(index=False, floatfmt=_FORMATS), "")
-    others = read_table(folder / "reduced.csv")
-    yield f'Time over the time of `method="exact"`; {conditions(others)}.'
-    yield from ("", ratios(exact, others).reset_index().astype({"n": int}).to_markdown(index=False, floatfmt=".1f"))
+    yield from ("", certified(exact).reset_index().to_markdown(index=False, floatfmt=_FORMATS))
+    for name in ("reduced.csv", "longer.csv"):
+        others = read_table(folder / name)
+        yield from ("", f'Time over the time of `method="exact"`, of `{name}`; {conditions(others)}.', "")
+        yield ratios(exact, others).reset_index().astype({"n": int}).to_markdown(index=False, floatfmt=".1f")
 
 
 def first_solves():
@@ -90,7 +92,7 @@ def two_solves():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--results", type=Path, default=RESULTS, help="folder with exact.csv and reduced.csv")
+    parser.add_argument("--results", type=Path, default=RESULTS, help="folder of the three files")
     parser.add_argument("--start", action="store_true", help="measure first solves instead")
     parser.add_argument("--two", action="store_true", help=argparse.SUPPRESS)
     given = parser.parse_args()

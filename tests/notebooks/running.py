@@ -1,4 +1,4 @@
-"""Runs a notebook through nbval, away from the repository, which so stays as it is."""
+"""Runs a notebook through nbval or nbmake, away from the repository, which so stays as it is."""
 
 import os
 import shutil
@@ -41,7 +41,15 @@ def run(notebook):
     Returns the finished process of a pytest of its own: status 0 if all is well, 1 if a cell failed or said another
     thing. The kernel runs in the notebook's folder, on this Python.
     """
-    options = ["--nbval-lax", "--nbval-current-env", f"--nbval-cell-timeout={LIMITS['cell']}"]
+    return _pytest(notebook, "--nbval-lax", "--nbval-current-env", f"--nbval-cell-timeout={LIMITS['cell']}")
+
+
+def execute_whole(notebook):
+    """Execute a notebook with nbclient, as `jupyter nbconvert --execute` does; otherwise like `run`."""
+    return _pytest(notebook, "--nbmake", f"--nbmake-timeout={LIMITS['cell']}")
+
+
+def _pytest(notebook, *options):
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options, str(notebook)]
     alone = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
     folder, limit = notebook.parent, LIMITS["notebook"]

@@ -2,7 +2,7 @@
 
 import nbformat
 import pytest
-from notebooks.running import CHECKED, ROOT, lay_out, run
+from notebooks.running import CHECKED, LIMITS, ROOT, execute_whole, lay_out, run
 
 
 @pytest.fixture
@@ -15,14 +15,15 @@ def beginning(tmp_path):
     return path, notebook, notebook.cells[-1]
 
 
-def outcome(path, notebook):
+def outcome(path, notebook, by=run):
     nbformat.write(notebook, path)
-    return run(path)
+    return by(path)
 
 
 def test_the_beginning_itself_is_right(beginning):
     path, notebook, _ = beginning
     assert outcome(path, notebook).returncode == 0
+    assert outcome(path, notebook, by=execute_whole).returncode == 0
 
 
 def test_a_wrong_number_fails(beginning):
@@ -39,3 +40,18 @@ def test_a_cell_that_raises_fails(beginning):
     cell.source = "assert instance.n_targets == 9"
     failed = outcome(path, notebook)
     assert failed.returncode == 1 and "Notebook cell execution failed" in failed.stdout
+
+
+def test_a_cell_that_raises_fails_when_executed_whole(beginning):
+    path, notebook, cell = beginning
+    cell.source = "assert instance.n_targets == 9"
+    failed = outcome(path, notebook, by=execute_whole)
+    assert failed.returncode == 1 and "AssertionError" in failed.stdout
+
+
+def test_a_cell_without_end_fails_when_executed_whole(beginning, monkeypatch):
+    path, notebook, cell = beginning
+    monkeypatch.setitem(LIMITS, "cell", 5)
+    cell.source = "while True: pass"
+    failed = outcome(path, notebook, by=execute_whole)
+    assert failed.returncode == 1 and "timed out" in failed.stdout.lower()

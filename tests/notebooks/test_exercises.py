@@ -8,7 +8,7 @@ from pathlib import Path
 
 import nbformat
 import pytest
-from notebooks.running import CHECKED, ROOT, assert_executed, lay_out, run
+from notebooks.running import CHECKED, ROOT, assert_executed, execute_whole, lay_out, run
 from notebooks.wrong_answers import WRONG
 
 from mamttsp.course import notebooks
@@ -65,6 +65,12 @@ def test_the_guide_lists_the_tasks_with_their_grades_and_minutes():
     assert re.findall(r"^\| (\d\d\.\d) (.+?) \| (\w+) \| (\d+) \|", GUIDE, re.MULTILINE) == heads
     assert GUIDE.startswith(f"# Exercises: a guide for teachers\n\n{len(heads)} tasks")
     assert set(re.findall(r"\b\d\d\.\d\b", GUIDE)) == set(ALL)
+
+
+@of_each_sheet
+def test_it_executes_from_top_to_bottom(path, tmp_path):
+    outcome = execute_whole(lay_out(path, tmp_path))
+    assert outcome.returncode == 0, outcome.stdout
 
 
 @of_each_sheet

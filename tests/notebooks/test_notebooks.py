@@ -1,17 +1,23 @@
 """Every notebook runs from top to bottom, and its numbers are still the committed ones.
 
-nbval does both in one go, so that no notebook is executed twice: all cells run, each within a limit, and the outputs
-of the cells with the tag nbval-check-output are compared with what is committed.
+nbmake executes a notebook whole, by nbclient, each cell within a limit. nbval executes it cell by cell and compares the
+outputs of the cells with the tag nbval-check-output with what is committed.
 """
 
 import pytest
-from notebooks.running import CHECKED, NOTEBOOKS, assert_executed, code_cells, lay_out, run
+from notebooks.running import CHECKED, NOTEBOOKS, assert_executed, code_cells, execute_whole, lay_out, run
 
 of_each_notebook = pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 
 
 def checked(cell):
     return CHECKED in cell.metadata.get("tags", [])
+
+
+@of_each_notebook
+def test_it_executes_from_top_to_bottom(path, tmp_path):
+    outcome = execute_whole(lay_out(path, tmp_path))
+    assert outcome.returncode == 0, outcome.stdout
 
 
 @of_each_notebook
