@@ -32,7 +32,7 @@ _PROVENANCE = ("version", "commit", "jobs", "cpu", "cores", "python")
 def run(n, agents, horizon, pieces, seed, time_limit):
     """Solve an instance; return the answer, and where the time went, phase by phase in s. Compiled code is loaded
     before."""
-    solve(paper_instance(10, 0, 40, 2))
+    solve(paper_instance(15, 0, 40, 2))
     trace = Trace()
     instance = generate(n, 40, agents, seed=seed, horizon=horizon, n_pieces=pieces)
     solution = solve(instance, time_limit=time_limit, progress=trace)

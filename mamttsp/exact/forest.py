@@ -40,8 +40,8 @@ class Forest:
             if beam and len(layer.left) > beam:
                 layer = select(layer, np.sort(np.argpartition(layer.bound, beam)[:beam]))
                 self.layers[-1] = layer
-            room = most - self.size
-            layer, links, self.complete = lab.extend(layer, s, *common, max(room, 0), budget)
+            room = max(float(most - self.size), 0.0)  # always a float, or it is compiled twice
+            layer, links, self.complete = lab.extend(layer, s, *common, room, budget)
             if not self.complete or out_of_time():
                 self.complete = False
                 return

@@ -217,4 +217,4 @@ class Search:
             return
         self.width = max(self.width, (b - a)[used].sum() / max(_MOST_PIECES - used.sum(), 1))
         self.cut, origin = finer(self.cut, np.flatnonzero(used), self.width, self.incumbent.visit_times())
-        self.after, self.before = self.after[:, origin], self.before[:, origin]
+        self.after, self.before = (np.take(alive, origin, axis=1) for alive in (self.after, self.before))
