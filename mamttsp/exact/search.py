@@ -29,6 +29,8 @@ _MEMORY, _ASCENT = 7, 15
 _SMALL, _SMALL_MEMORY, _SMALL_ASCENT = 10, 4, 5
 #: iterations from good multipliers
 _FEW_MORE = 10
+#: more targets need more iterations than these, by so many for each further target: at first, and later
+_MEDIUM, _MORE_AT_FIRST, _MORE = 20, 2, 1
 _BEAM = 1000
 _FEW_LABELS, _MOST_LABELS = 500_000, 8_000_000
 #: iterations of ruin and recreate between two looks at the clock, and how many looks: n^2 over a number that is smaller
@@ -59,7 +61,11 @@ class Search:
         self.labels, self.columns, self.rounds, self.exhausted = 0, 0, 0, False
         self.pi, self.most = np.zeros(self.n), _FEW_LABELS
         self.enumerated = False
-        self.memory, self.ascent = (_SMALL_MEMORY, _SMALL_ASCENT) if self.n <= _SMALL else (_MEMORY, _ASCENT)
+        beyond = max(self.n - _MEDIUM, 0)
+        self.few_more = _FEW_MORE + _MORE * beyond
+        self.memory, self.ascent = _MEMORY, _ASCENT + _MORE_AT_FIRST * beyond
+        if self.n <= _SMALL:
+            self.memory, self.ascent = _SMALL_MEMORY, _SMALL_ASCENT
         windows = sum(self.graph.t_hi[i] - self.graph.t_lo[i] for i in self._segments())
         self.width = max(windows / _PIECES, 1e-6 * graph.horizon)
         self.start_from(*even_cuts(graph, self._segments(), self.width))
@@ -89,7 +95,7 @@ class Search:
         """Run rounds until the gap is closed, infeasibility is proved (bound infinite) or time is up."""
         while not self.over():
             self.round()
-            self.ascent = min(self.ascent, _FEW_MORE)
+            self.ascent = min(self.ascent, self.few_more)
 
     def search_tours(self, annealing):
         """Look for tours by ruin and recreate, in steps short enough to end in time, then among all their routes."""
@@ -197,7 +203,7 @@ class Search:
         search = Search(self.graph, mine, 1, 0.1 * self.gap, self.clock, cutoff=cutoff)
         search.start_from(segment[part], a[part], b[part])
         search.width, search.pi = self.width, dual[list(targets)]
-        search.ascent = 1 if len(mine) <= _SMALL else _FEW_MORE
+        search.ascent = 1 if len(mine) <= _SMALL else search.few_more
         search.run()
         self.labels, self.columns = self.labels + search.labels, self.columns + search.columns
         if search.incumbent.routes:
