@@ -1,4 +1,4 @@
-"""Give the MICP on SCIP ten times its limit, to see how its time over ours grows with n where 60 s cut it off.
+"""Give the MICP on SCIP ten times its limit, for its time over ours where 60 s cut it off.
 
     python benchmarks/longer.py            the runs that have no row in paper_results/longer.csv yet, one after another
 

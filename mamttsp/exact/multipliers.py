@@ -83,7 +83,8 @@ class Relaxation:
 
 
 def ascend(relaxation, pi, known, iterations, out_of_time):
-    """Raise L(pi) by column generation; return (best bound, its pi) and leave the tables evaluated there.
+    """Raise L(pi) by column generation; return (best bound, its pi) and, if time is left, leave the tables
+    evaluated there.
 
     known: (visits (J, n), cost (J,)) of columns with which the master problem has a solution.
     """
@@ -105,7 +106,7 @@ def ascend(relaxation, pi, known, iterations, out_of_time):
         keep = np.argsort(reduced, kind="stable")[:_KEPT]
         visits, cost = visits[keep], cost[keep]
         pi = _SMOOTHING * best_pi + (1.0 - _SMOOTHING) * dual
-    if pi is not best_pi:
+    if pi is not best_pi and not out_of_time():
         relaxation.evaluate(best_pi)
     return best_bound, best_pi
 

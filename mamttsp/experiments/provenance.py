@@ -21,7 +21,7 @@ def provenance(jobs):
         "cpu": processor(),
         "cores": os.cpu_count(),
         "machine_memory_gb": round(psutil.virtual_memory().total / 2**30, 1),
-        "os": platform.platform(),
+        "os": f"{platform.system()} {platform.release().partition('-')[0]}",
         "python": platform.python_version(),
     }
 
