@@ -75,7 +75,7 @@ def table(rows):
 
 def _markdown(rows):
     formats = [{"gap_percent": ".3f", "objective": ".2f"}.get(name, ".1f") for name in rows]
-    return rows.to_markdown(index=False, floatfmt=formats)
+    return rows.astype(object).to_markdown(index=False, floatfmt=formats)  # whole numbers stay whole
 
 
 def main():
