@@ -5,7 +5,8 @@ Every round works on pieces of the segments. (1) Multipliers raise the bound of 
 dropped. (4) If few enough labels remain, all of them are grown, and the set partitioning over their routes bounds every
 solution. (5) Only pieces on routes still within the gap are kept, cut finer around the incumbent's visit times, and the
 next round starts; with several agents, the sets of targets that compete are settled one by one instead (`settle`).
-All bounds are of second order in the lengths of the pieces.
+All bounds are of second order in the lengths of the pieces. A light round comes first, which spends little on (1), and
+goes on to (4) without (2): where windows are short it suffices.
 """
 
 import math
@@ -25,20 +26,21 @@ from .standing import Standing
 _PIECES = 150
 #: targets that a relaxed route remembers, and iterations of column generation in the first round
 _MEMORY, _ASCENT = 7, 15
-#: the same for so few targets: their labels are few, however weak the bound, and a beam is not needed
-_SMALL, _SMALL_MEMORY, _SMALL_ASCENT = 10, 4, 5
+#: the same in light rounds, and for so few targets: their labels are few, however weak the bound
+_SMALL, _LIGHT_MEMORY, _LIGHT_ASCENT = 10, 4, 5
 #: iterations from good multipliers
 _FEW_MORE = 10
 #: more targets need more iterations than these, by so many for each further target: at first, and later
 _MEDIUM, _MORE_AT_FIRST, _MORE = 20, 2, 1
 _BEAM = 1000
-_FEW_LABELS, _MOST_LABELS = 500_000, 8_000_000
+_LIGHT_LABELS, _FEW_LABELS, _MOST_LABELS = 100_000, 500_000, 8_000_000
 #: iterations of ruin and recreate between two looks at the clock, and how many looks: n^2 over a number that is smaller
 #: after a first round that did not suffice
 _STEP, _QUICK, _LONG = 500, 60, 20
 _FEW_SETS = 2500
-#: of segments that are timed one by one, in each round as many more: targets that meet leave ties for ever
-_FEW_SEQUENCES = 1500
+#: of segments that are timed one by one: in a light round, and in each other as many more, for targets that meet leave
+#: ties for ever
+_LIGHT_SEQUENCES, _FEW_SEQUENCES = 50, 1500
 #: pieces that a round may have: the table of their legs grows with the square
 _MOST_PIECES = 2000
 #: least length of a piece, as a share of the horizon
@@ -65,7 +67,7 @@ class Search:
         self.few_more = _FEW_MORE + _MORE * beyond
         self.memory, self.ascent = _MEMORY, _ASCENT + _MORE_AT_FIRST * beyond
         if self.n <= _SMALL:
-            self.memory, self.ascent = _SMALL_MEMORY, _SMALL_ASCENT
+            self.memory, self.ascent = _LIGHT_MEMORY, _LIGHT_ASCENT
         windows = sum(self.graph.t_hi[i] - self.graph.t_lo[i] for i in self._segments())
         self.width = max(windows / _PIECES, 1e-6 * graph.horizon)
         self.start_from(*even_cuts(graph, self._segments(), self.width))
@@ -93,43 +95,56 @@ class Search:
 
     def run(self):
         """Run rounds until the gap is closed, infeasibility is proved (bound infinite) or time is up."""
+        if self.annealing and self.n > _SMALL:
+            self.light_round()
         while not self.over():
             self.round()
             self.ascent = min(self.ascent, self.few_more)
 
-    def search_tours(self, annealing):
-        """Look for tours by ruin and recreate, in steps short enough to end in time, then among all their routes."""
-        steps = max(1, self.n**2 // (_QUICK if self.rounds == 1 else _LONG))
-        for step in range(steps):
-            if self.clock.out():
-                break
-            if routes := annealing.run(_STEP, 1.0 - step / steps, 1.0 - (step + 1) / steps):
-                self.incumbent.offer(routes)
-        self.incumbent.recombine(self.targets)
-        self.report("heuristic")
+    def light_round(self):
+        """A round of little effort; if that is too little, it still leaves tours, a bound and multipliers."""
+        self.search_tours(1)
+        relaxation = self.relax(_LIGHT_MEMORY, _LIGHT_ASCENT)
+        if not self.over():
+            self.enumerate(relaxation, _LIGHT_LABELS)
+        if self.enumerated and not self.over():
+            self.refine()
 
     def round(self):
         self.rounds += 1
         if self.annealing and not self.enumerated:
-            self.search_tours(self.annealing)
-        pieces = make_pieces(self.graph, *self.cut, self.targets)
-        N = memory.neighbourhoods(pieces, self.n, self.memory)
-        relaxation = Relaxation(pieces, self.n, self.m, N, memory.transitions(N), self.after, self.before)
-        known = self.incumbent.columns(self.targets, self.standing.cutoff)
-        bound, self.pi = ascend(relaxation, self.pi, known, self.ascent, self.clock.out)
-        self.standing.raise_bound(bound)
-        self.report("multipliers")
+            self.search_tours(max(1, self.n**2 // (_QUICK if self.rounds == 1 else _LONG)))
+        relaxation = self.relax(self.memory, self.ascent)
         if self.over():
             return
         if not self.enumerated and self.n > _SMALL:
             self.dive(relaxation)
-        relaxation.eliminate(self.pi, self.standing.limit)
-        if self.clock.out():
-            return
-        self.after, self.before = relaxation.after, relaxation.before
-        self.enumerate(relaxation)
+        self.enumerate(relaxation, self.most)
+        if not self.enumerated:
+            self.most = min(4 * self.most, _MOST_LABELS)
         if not self.over():
             self.refine()
+
+    def search_tours(self, looks):
+        """Look for tours by ruin and recreate, in steps short enough to end in time, then among all their routes."""
+        for look in range(looks):
+            if self.clock.out():
+                break
+            if routes := self.annealing.run(_STEP, 1.0 - look / looks, 1.0 - (look + 1) / looks):
+                self.incumbent.offer(routes)
+        self.incumbent.recombine(self.targets)
+        self.report("heuristic")
+
+    def relax(self, remembered, iterations):
+        """Return the relaxed routes over the pieces, evaluated at the best multipliers found, whose bound is taken."""
+        pieces = make_pieces(self.graph, *self.cut, self.targets)
+        N = memory.neighbourhoods(pieces, self.n, remembered)
+        relaxation = Relaxation(pieces, self.n, self.m, N, memory.transitions(N), self.after, self.before)
+        known = self.incumbent.columns(self.targets, self.standing.cutoff)
+        bound, self.pi = ascend(relaxation, self.pi, known, iterations, self.clock.out)
+        self.standing.raise_bound(bound)
+        self.report("multipliers")
+        return relaxation
 
     def dive(self, relaxation):
         """Look for tours among the routes of a beam of labels."""
@@ -138,15 +153,18 @@ class Search:
             self.incumbent.improve(forest, np.arange(len(forest.cost)))
         self.report("beam")
 
-    def enumerate(self, relaxation):
-        """Grow all labels within the limit, bound every solution by the choice among their routes, drop unused
-        pieces."""
+    def enumerate(self, relaxation, most):
+        """Drop what is on no relaxed solution within the limit; if no more than `most` labels are, grow them all and
+        bound every solution by the choice among their routes."""
+        relaxation.eliminate(self.pi, self.standing.limit)
+        if self.clock.out():
+            return
+        self.after, self.before = relaxation.after, relaxation.before
         budget = self.clock.seconds * _RATE
-        forest = Forest(relaxation, self.pi, self.standing.limit, self.most, budget=budget, out_of_time=self.clock.out)
+        forest = Forest(relaxation, self.pi, self.standing.limit, most, budget=budget, out_of_time=self.clock.out)
         self.labels += forest.size
         self.enumerated = forest.complete
         if not forest.complete:
-            self.most = min(4 * self.most, _MOST_LABELS)
             self.report("labels")
             return
         self.columns += len(forest.cost)
@@ -169,7 +187,7 @@ class Search:
 
     def finish(self, forest, leads):
         """With one agent: if few sequences of segments are left, time them all; nothing else is below the limit."""
-        sequences = forest.sequences(leads, self.rounds * _FEW_SEQUENCES)
+        sequences = forest.sequences(leads, _LIGHT_SEQUENCES + self.rounds * _FEW_SEQUENCES)
         if sequences is None:
             return
         bounds = [self.standing.limit]
