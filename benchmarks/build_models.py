@@ -12,9 +12,9 @@ from readme import write_section
 from tqdm import tqdm
 
 from mamttsp import build_graph, generate
-from mamttsp.backends.conic_data import conic_data
 from mamttsp.backends.scip_models import from_pyomo
 from mamttsp.formulations import build_formulation
+from mamttsp.formulations.conic_form import conic_data
 from mamttsp.versions import processor
 
 SIZES, FLEETS = (5, 10, 15, 20), (1, 3, 5)

@@ -19,7 +19,8 @@ import psutil
 from readme import write_section
 
 from mamttsp import paper_instance, solve
-from mamttsp.experiments.statistics import INSTANCE, conditions, read_table
+from mamttsp.experiments.campaigns.rows import INSTANCE
+from mamttsp.experiments.summaries.row_statistics import conditions, read_table
 
 RESULTS = Path(__file__).parent.parent / "paper_results"
 _FORMATS = (".0f", ".0f", ".0f", ".0f", ".0f", ".2f", ".2f", ".4f", ".0f")

@@ -9,7 +9,7 @@ import argparse
 from pathlib import Path
 
 from mamttsp.experiments import campaign
-from mamttsp.experiments.runs import SETTINGS, Run
+from mamttsp.experiments.campaigns.runs import SETTINGS, Run
 
 RESULTS = Path(__file__).parent.parent / "paper_results" / "longer.csv"
 RUNS = [Run(n, 0, window, m, "micp", "pyomo", "scip", 600) for n in (10, 15) for window, m in SETTINGS]

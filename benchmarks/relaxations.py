@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 from mamttsp import InputError
-from mamttsp.experiments.relaxations import relaxations
+from mamttsp.experiments.campaigns.relaxed_rows import relaxations
 from mamttsp.generate import PAPER_SIZES
 
 RESULTS = Path(__file__).parent.parent / "paper_results" / "relaxations.csv"

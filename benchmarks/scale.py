@@ -17,8 +17,8 @@ from readme import write_section
 from tqdm import tqdm
 
 from mamttsp import generate, paper_instance, solve
-from mamttsp.experiments.provenance import provenance
-from mamttsp.trace import Trace
+from mamttsp.display import Trace
+from mamttsp.experiments.campaigns.provenance import provenance
 
 RESULTS = Path(__file__).parent.parent / "paper_results" / "scale.csv"
 #: (targets, agents, horizon in s, straight pieces of a path)

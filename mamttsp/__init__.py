@@ -1,14 +1,15 @@
 """Multi-Agent Moving-Target Traveling Salesman Problem: the paper's formulations, checked, and an exact solver."""
 
 from .backends import Progress, SolverUnavailable
+from .flow import FlowError
 from .generate import generate, paper_instance
 from .graph import build_graph
-from .instance import InputError, Instance, Target
-from .paper import PaperSolution
+from .instance import Instance, Target
+from .plain_model import PaperSolution
 from .solution import Solution
 from .solve import solve
-from .subtours import FlowError
 from .tours import Tour, TourError, Visit, check
+from .validation import InputError
 
 __version__ = "0.1.0"
 __all__ = [

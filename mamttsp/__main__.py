@@ -8,14 +8,14 @@ import sys
 from pathlib import Path
 
 from .backends import MODELERS, SOLVERS
+from .display import ProgressLine, table
+from .flow import FlowError
 from .generate import generate
-from .instance import InputError, Instance
-from .progress import ProgressLine
-from .report import table
+from .instance import Instance
 from .solution import Solution
 from .solve import ALL_METHODS, solve
-from .subtours import FlowError
 from .tours import TourError, check
+from .validation import InputError
 from .versions import versions
 
 
@@ -99,7 +99,7 @@ def _campaign(arguments):
 
 
 def _tables(arguments):
-    from .experiments.tables import build_tables  # here: as above
+    from .experiments.build_tables import build_tables  # here: as above
 
     for path in build_tables(arguments.results):
         print(path)
@@ -107,7 +107,7 @@ def _tables(arguments):
 
 
 def _figures(arguments):
-    from .figures.build import build  # here: it needs experiments, as above
+    from .experiments.build_figures import build  # here: it needs experiments, as above
 
     if not Path(arguments.out).is_dir():
         raise InputError(f"--out {arguments.out}: there is no such folder")

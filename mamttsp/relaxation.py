@@ -6,17 +6,17 @@ import math
 import networkx as nx
 import numpy as np
 
-from .backends.conic import conic_program
 from .conic_solver import claims_infeasible, dual_point, minimise
 from .formulations import build_formulation
+from .formulations.conic_form import conic_program
 from .graph import build_graph
-from .instance import InputError
+from .validation import InputError
 
-METHODS = ("micp", "baseline")
+CONIC_METHODS = ("micp", "baseline")
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class Relaxation:
+class ContinuousRelaxation:
     """A continuous relaxation and its answer.
 
     bound: proved lower bound in units on the length of all tours, infinity if even the relaxation is infeasible;
@@ -33,13 +33,13 @@ def relax(instance, method="micp", modeler="cvxpy", prune=False):
     method: "micp" or "baseline", whose relaxation is 0; modeler: "cvxpy" or "pyomo"; prune: leave out edges that no
     agent can fly. Infinity if even the relaxation is infeasible. InputError: an unknown method or modeler.
     """
-    if method not in METHODS:
-        raise InputError(f"method: expected one of {', '.join(METHODS)} for a relaxation, found {method!r}")
+    if method not in CONIC_METHODS:
+        raise InputError(f"method: expected one of {', '.join(CONIC_METHODS)} for a relaxation, found {method!r}")
     return relaxation(build_formulation(method, modeler, build_graph(instance, prune), instance.n_agents)).bound
 
 
 def relaxation(formulation):
-    """Solve the continuous relaxation of a built Formulation, "micp" or "baseline", and return the Relaxation.
+    """Solve the continuous relaxation of a built Formulation, "micp" or "baseline", and return its answer.
 
     It takes the model as it is: what has been added or switched off counts. The bound is proved by Clarabel's dual
     point, residual included (see conic_solver): it is a little below the relaxation's optimum, by up to about
@@ -52,9 +52,9 @@ def relaxation(formulation):
     x, z = np.array(answer.x), dual_point(answer, *size)
     values = {name: x[columns] for name, columns in program.columns.items()}
     if claims_infeasible(answer) and _proved(0 * program.c, program, z, graph, n_agents) > 0:
-        return Relaxation(math.inf, values)
+        return ContinuousRelaxation(math.inf, values)
     bound = _proved(program.c, program, z, graph, n_agents)
-    return Relaxation(max(0.0, float(bound)), values)  # lengths are not negative
+    return ContinuousRelaxation(max(0.0, float(bound)), values)  # lengths are not negative
 
 
 def depot_shares(graph, y):

@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+import math
 
 from .jsonfile import check_header, read_json, require, write_json
 from .tours import Tour
@@ -108,6 +109,13 @@ def relative_gap(objective, bound):
     if objective <= bound:
         return 0.0
     return (objective - bound) / objective
+
+
+def known_length(value):
+    """Return a length or a bound on it as a float of at least 0, or None for infinity and what solvers use as such."""
+    if value is None or not math.isfinite(value) or abs(value) >= 1e20:
+        return None
+    return max(float(value), 0.0)
 
 
 def _number(data, field):

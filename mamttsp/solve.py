@@ -3,14 +3,14 @@
 import dataclasses
 
 from .backends import METHODS, Options, backend, choose
-from .backends.clock import Clock
+from .cut_loop import solve_without_cycles
 from .formulations import build_formulation
 from .graph import build_graph
-from .instance import InputError
-from .paper import paper_solution
-from .rounds import solve_without_cycles
+from .options import Clock
+from .plain_model import paper_solution
 from .solution import Solution
 from .tours import check
+from .validation import InputError
 
 #: our own solver, and the paper's formulations
 ALL_METHODS = ("exact", *METHODS)
@@ -35,7 +35,7 @@ def solve(
     method: "exact" (our own solver), "micp", "baseline" or "nonconvex" (the paper's formulations).
     modeler: "pyomo" or "cvxpy", and solver: one of backends.SOLVERS, for a formulation; None takes the fastest open
     one. time_limit: s of wall time, building included, None for none; gap: relative gap, as a fraction, that counts as
-    optimal; threads, seed, verbose: handed to the solver; progress: called with a backends.Progress now and then.
+    optimal; threads, seed, verbose: handed to the solver; progress: called with an options.Progress now and then.
     prune: leave out the edges that no agent can fly in time (the exact method always does).
 
     subtour_cuts: cut off the cycles that a formulation accepts and nobody flies, and solve again until none is left.

@@ -1,6 +1,6 @@
 """Which models there are, and tours to carry into them."""
 
-from mamttsp.times import earliest_times
+from mamttsp.timing import earliest_times
 
 MODELERS = {"baseline": ("pyomo", "cvxpy"), "nonconvex": ("pyomo",), "micp": ("pyomo", "cvxpy")}
 MODELS = [(method, modeler) for method, modelers in MODELERS.items() for modeler in modelers]

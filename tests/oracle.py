@@ -11,7 +11,7 @@ import math
 import numpy as np
 
 from mamttsp import build_graph
-from mamttsp.times import best_times, earliest_times
+from mamttsp.timing import best_times, earliest_times
 
 
 def optimum(instance):

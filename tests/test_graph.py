@@ -8,7 +8,7 @@ from examples import HORIZON, instance, moving, still
 
 from mamttsp import Target, build_graph, generate
 from mamttsp.graph import segments
-from mamttsp.times import earliest_times
+from mamttsp.timing import earliest_times
 
 BENT = Target([0.0, 40.0, 60.0, 100.0], [[0, 0], [40, 0], [40, 10], [0, 10]], [(30, 70), (80, 90)])
 

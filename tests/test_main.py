@@ -11,7 +11,7 @@ from oracle import optimum
 
 from mamttsp import Instance, Progress, Solution
 from mamttsp.__main__ import main
-from mamttsp.progress import ProgressLine, format_progress
+from mamttsp.display import ProgressLine, format_progress
 
 
 @pytest.fixture
@@ -186,7 +186,7 @@ def test_on_a_terminal_the_line_is_written_over_and_cleared():
 
 def test_elsewhere_lines_come_now_and_then(monkeypatch):
     now = iter([0.0, 1.0, 6.0, 6.0, 7.0])
-    monkeypatch.setattr("mamttsp.progress.time.monotonic", lambda: next(now))
+    monkeypatch.setattr("mamttsp.display.time.monotonic", lambda: next(now))
     stream = io.StringIO()
     with ProgressLine(stream) as line:
         for second in (1.0, 6.0, 7.0):

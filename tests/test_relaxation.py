@@ -9,9 +9,9 @@ from examples import instance, still
 from oracle import optimum
 
 from mamttsp import InputError, build_graph, generate
-from mamttsp.backends.conic import conic_program
 from mamttsp.conic_solver import minimise
 from mamttsp.formulations import build_formulation
+from mamttsp.formulations.conic_form import conic_program
 from mamttsp.relaxation import depot_shares, relax, relaxation
 
 MODELERS = ("cvxpy", "pyomo")

@@ -6,7 +6,7 @@ import math
 import pytest
 
 from mamttsp import InputError, Solution, Tour, Visit
-from mamttsp.solution import STATUSES, relative_gap
+from mamttsp.solution import STATUSES, known_length, relative_gap
 
 SOLUTION = Solution(
     status="feasible",
@@ -80,3 +80,12 @@ def test_a_missing_field_is_named(field):
     del data[field]
     with pytest.raises(InputError, match=f"^{field}: missing"):
         Solution.from_dict(data)
+
+
+@pytest.mark.parametrize("unknown", [None, math.inf, -math.inf, math.nan, 1e20, -1e20])
+def test_what_solvers_use_for_no_value_is_none(unknown):
+    assert known_length(unknown) is None
+
+
+def test_a_length_is_never_below_zero():
+    assert known_length(-1e-9) == 0.0 and known_length(3) == 3.0

@@ -6,8 +6,9 @@ solver that is not installed costs nothing and harms nobody.
 
 from importlib import import_module
 
-from .answer import Answer, Options, Progress, SolverUnavailable
-from .choice import METHODS, MODELERS, SOLVERS, choose
+from ..options import Options, Progress
+from .answer import Answer, SolverUnavailable
+from .registry import METHODS, MODELERS, SOLVERS, choose
 
 __all__ = ["METHODS", "MODELERS", "SOLVERS", "Answer", "Options", "Progress", "SolverUnavailable", "backend", "choose"]
 

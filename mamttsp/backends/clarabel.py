@@ -1,25 +1,13 @@
-"""Branch and bound for the MICP over Clarabel's relaxations: small, exact, with a proved bound at any stop."""
-
-import heapq
-import itertools
-import math
-import time
+"""Our branch and bound over Clarabel's relaxations, for the MICP of either modeler."""
 
 import clarabel
-import numpy as np
 
-from ..instance import InputError
-from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, relative_gap
-from .answer import Answer, Progress, known_length
-from .branching import branch
-from .conic import conic_program
-from .incumbent import Incumbent
-from .perspective import Perspective
-from .propagation import propagate
-from .separation import violated_sets
+from ..branch_and_bound.tree_search import TreeSearch
+from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, known_length
+from ..validation import InputError
+from .answer import Answer
 
-#: relative gap below which relaxations and best times are too inexact to tell lengths apart
-LEAST_GAP = 1e-6
+_VERSION = f"clarabel {clarabel.__version__}"
 
 
 def solve(formulation, options):
@@ -30,141 +18,28 @@ def solve(formulation, options):
     """
     if formulation.method != "micp":
         raise InputError(f'method: the branch and bound on clarabel solves "micp", found {formulation.method!r}')
-    search = _Search(formulation, options)
+    search = TreeSearch(formulation, options)
     try:
         finished = search.run()
     except KeyboardInterrupt:
         finished = False
-    return search.answer(finished)
+    return _answer(search, finished)
 
 
-class _Search:
-    """Best bound first, with dives along the child in which the branching edge is flown.
-
-    A node is the set of edges left to it: branching on an edge takes away either its rivals or the edge itself.
-    """
-
-    def __init__(self, formulation, options):
-        self.start = time.perf_counter()
-        self.options, self.graph, self.n_agents = options, formulation.graph, formulation.n_agents
-        self.relaxation = Perspective(conic_program(formulation), self.graph, self.n_agents, options.threads)
-        self.heap, self.order = [], itertools.count()
-        self.current = 0.0  # bound of the node at hand; 0 is a bound of every length
-        self.closed = math.inf  # least bound at which something was given up for being no better than the incumbent
-        self.best = Incumbent(self.graph, self.n_agents)
-        self.nodes = self.cuts = 0
-
-    @property
-    def cutoff(self):
-        """What is at least this long is not worth looking for."""
-        return self.best.length * (1.0 - max(self.options.gap, LEAST_GAP))
-
-    @property
-    def bound(self):
-        """A lower bound on every set of tours, at any time."""
-        return min(self.best.length, self.closed, self.current, *(bound for bound, _, _ in self.heap[:1]))
-
-    def run(self):
-        """Search until the gap is proved; return False if the time limit came first."""
-        self._push(0.0, np.ones(len(self.graph.edges), dtype=bool))
-        while self.heap and self.heap[0][0] < self.cutoff:
-            self.current = self.heap[0][0]  # before the node is taken off, so that `bound` holds at any moment
-            bound, _, alive = heapq.heappop(self.heap)
-            if not self._dive(bound, alive):
-                return False
-            self.current = math.inf
-        return True
-
-    def _push(self, bound, alive):
-        heapq.heappush(self.heap, (bound, next(self.order), alive))
-
-    def _dive(self, bound, alive):
-        """Follow one branch down until nothing better is left in it; return False if time ran out."""
-        while True:
-            if self._time_left() <= 0:
-                return False
-            found = self._process(bound, alive)
-            self._report()
-            if found is None:
-                return True
-            bound, alive, y = found
-            self.current = bound
-            children = branch(self.graph, y, alive)
-            if children is None:
-                self._finish(alive)
-                return True
-            alive, other = children
-            self._push(bound, other)
-
-    def _process(self, bound, alive):
-        """Return (bound, alive, y) of a node with less left to it, or None if nothing better than the incumbent is."""
-        while True:
-            possible = propagate(self.graph, alive)
-            if possible is None:
-                return None
-            alive, times = possible
-            relaxed = self.relaxation.relax(alive, times, self._time_left())
-            self.nodes += 1
-            bound = max(bound, relaxed.bound)
-            if bound >= self.cutoff or not self._cut_subtours(relaxed.y):
-                break
-        if not math.isinf(bound):
-            self.best.near(relaxed.y, alive)
-        if bound >= self.cutoff:
-            self.closed = min(self.closed, bound)
-            return None
-        return bound, self._without_dear_edges(bound, alive, relaxed.extra), relaxed.y
-
-    def _finish(self, alive):
-        """Try the one choice of edges that a node has left."""
-        if (possible := propagate(self.graph, alive)) is not None:
-            self.best.on(possible[0])
-
-    def _cut_subtours(self, y):
-        """Cut off the sets of targets that the flow y enters less than once; tell whether there were any."""
-        sets = violated_sets(self.graph, y)
-        inside = [np.isin(self.graph.tau[self.graph.edges], S).all(axis=1) for S in sets]
-        if sets:
-            self.relaxation.add_cuts([(np.flatnonzero(edges), len(S) - 1) for S, edges in zip(sets, inside)])
-            self.cuts += len(sets)
-        return bool(sets)
-
-    def _without_dear_edges(self, bound, alive, extra):
-        """Take away the edges that no solution better than the incumbent can fly."""
-        dear = alive & (bound + extra >= self.cutoff)
-        if dear.any():
-            self.closed = min(self.closed, (bound + extra)[dear].min())
-        return alive & ~dear
-
-    def _time_left(self):
-        limit = self.options.time_limit
-        return math.inf if limit is None else limit - (time.perf_counter() - self.start)
-
-    def _report(self):
-        if self.options.progress is None and not self.options.verbose:
-            return
-        length, bound = known_length(self.best.length), known_length(self.bound)
-        spent = time.perf_counter() - self.start
-        step = Progress(spent, length, bound, relative_gap(length, bound), self.nodes, "search")
-        if self.options.verbose:
-            print(step)
-        if self.options.progress is not None:
-            self.options.progress(step)
-
-    def answer(self, finished):
-        """Return the Answer as things stand."""
-        known = self.best.flow is not None
-        if finished:
-            status = OPTIMAL if known else INFEASIBLE
-        else:
-            status = FEASIBLE if known else UNKNOWN
-        return Answer(
-            status=status,
-            objective=known_length(self.best.length),
-            bound=known_length(self.bound),
-            flow=self.best.flow,
-            nodes=self.nodes,
-            runtime=time.perf_counter() - self.start,
-            solver=f"clarabel {clarabel.__version__}",
-            cuts=self.cuts,
-        )
+def _answer(search, finished):
+    """Return the Answer as things stand."""
+    known = search.best.flow is not None
+    if finished:
+        status = OPTIMAL if known else INFEASIBLE
+    else:
+        status = FEASIBLE if known else UNKNOWN
+    return Answer(
+        status=status,
+        objective=known_length(search.best.length),
+        bound=known_length(search.bound),
+        flow=search.best.flow,
+        nodes=search.nodes,
+        runtime=search.spent,
+        solver=_VERSION,
+        cuts=search.cuts,
+    )

@@ -6,11 +6,11 @@ held fixed, give an incumbent once enough tangents have been added for the cones
 
 import highspy
 
-from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, relative_gap
-from .answer import Answer, Progress, known_length
-from .clock import Clock
+from ..formulations.conic_form import conic_data
+from ..options import Clock, Progress
+from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, known_length, relative_gap
+from .answer import Answer
 from .cone_cuts import ConeCuts
-from .conic_data import conic_data
 from .highs_master import Master
 
 #: tangents at fixed integers are added at most so often in a row

@@ -6,10 +6,10 @@ from typing import NamedTuple
 import numpy as np
 from scipy import sparse
 
-from ..solution import relative_gap
-from .answer import Answer, Progress, known_length
-from .clock import Clock
-from .conic_data import conic_data
+from ..formulations.conic_form import conic_data
+from ..options import Clock, Progress
+from ..solution import known_length, relative_gap
+from .answer import Answer
 
 
 @dataclasses.dataclass(frozen=True, eq=False)

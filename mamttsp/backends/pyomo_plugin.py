@@ -3,9 +3,9 @@
 import pyomo.environ as pyo
 from pyomo.opt import TerminationCondition
 
-from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN
-from .answer import Answer, SolverUnavailable, known_length
-from .clock import Clock
+from ..options import Clock
+from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, known_length
+from .answer import Answer, SolverUnavailable
 
 _INFEASIBLE = (TerminationCondition.infeasible, TerminationCondition.infeasibleOrUnbounded)
 

@@ -3,9 +3,9 @@
 import pyscipopt
 from pyscipopt import SCIP_EVENTTYPE
 
-from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, relative_gap
-from .answer import Answer, Progress, known_length
-from .clock import Clock
+from ..options import Clock, Progress
+from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, known_length, relative_gap
+from .answer import Answer
 from .scip_models import from_cvxpy, from_pyomo, ipopt_options
 
 #: least time in s between two reports of progress

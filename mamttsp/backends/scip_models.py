@@ -12,7 +12,7 @@ import numpy as np
 import pyscipopt
 from pyomo.repn.plugins.nl_writer import NLWriter
 
-from .conic_data import conic_data
+from ..formulations.conic_form import conic_data
 
 
 def ipopt_options():

@@ -9,13 +9,13 @@ SOCP.
 
 import math
 
+from ..display import ProgressLog
 from ..graph import build_graph
-from ..instance import InputError
+from ..options import Watch
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, Solution
-from ..trace import ProgressLog
+from ..validation import InputError
 from .heuristic import Annealing
 from .search import Search
-from .watch import Watch
 
 #: gaps below this are beyond the tolerance of the SOCP that times the tours
 _LEAST_GAP = 1e-7
@@ -28,7 +28,7 @@ _MOST_TARGETS = 64
 def solve_exact(instance, options):
     """Return a Solution of the instance, or what stands when a limit or Ctrl-C ends the run.
 
-    options: `backends.answer.Options`; threads has no effect, verbose prints a log. InputError: more than 64 targets.
+    options: `options.Options`; threads has no effect, verbose prints a log. InputError: more than 64 targets.
     """
     if instance.n_targets > _MOST_TARGETS:
         raise InputError(f'targets: method "exact" takes at most {_MOST_TARGETS}, found {instance.n_targets}')

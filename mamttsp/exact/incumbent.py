@@ -5,7 +5,7 @@ import math
 import numpy as np
 from scipy import sparse
 
-from ..times import bounded_times, to_tour
+from ..timing import bounded_times, to_tour
 from .partition import choose
 
 #: how many routes of a forest are timed exactly in search of better tours, for each target

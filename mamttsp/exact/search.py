@@ -13,7 +13,7 @@ import math
 
 import numpy as np
 
-from ..backends.answer import Progress
+from ..options import Progress
 from . import memory
 from .forest import Forest
 from .multipliers import Relaxation, ascend

@@ -1,10 +1,11 @@
-"""Campaigns: many runs, each in a process of its own, each a row of one CSV file that can be resumed at any time.
+"""From runs to what they say: runs into rows (`campaigns`), rows into numbers (`summaries`), the paper's claims held
+against them (`claims`), and the tables and figures in files that come of it (`build_tables`, `build_figures`).
 
 `paper_results/README.md` explains every column.
 """
 
-from .campaign import campaign
-from .rows import read_rows, summary, tours_of
-from .runs import PROFILES, Run, profile
+from .campaigns.campaign import campaign
+from .campaigns.rows import read_rows, summary, tours_of
+from .campaigns.runs import PROFILES, Run, profile
 
 __all__ = ["PROFILES", "Run", "campaign", "profile", "read_rows", "summary", "tours_of"]

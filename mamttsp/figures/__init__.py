@@ -1,17 +1,17 @@
 """Drawings. Each takes `ax=None`, draws on it or on a figure of its own, and returns the axes."""
 
 from .animation import film, moment_view
+from .exact_search import alive_view, ascent_view, layers_view
 from .gaps import true_gap_view
-from .graph import graph_view, reach_view
+from .graph_drawing import graph_view, reach_view
 from .ideas import charge_view, descent_view, perspective_view, sizes_view
-from .labels import alive_view, ascent_view, layers_view
-from .prices import errors_view, relaxed_view, tangents_view, tilt_view
+from .plan import plan_view, space_time_view
+from .priced_times import errors_view, relaxed_view, tangents_view, tilt_view
 from .profiles import cactus_view, profile_view
-from .relaxations import flow_view, growth_view, relaxation_view
+from .relaxed_bounds import flow_view, growth_view, relaxation_view
 from .runtimes import panels_view, runtime_gap_view
 from .sliders import explore
 from .style import COLOURS, LINES, MARKERS, save
-from .tours import plan_view, space_time_view
 from .trace import trace_view
 from .validity import cycle_view, leak_view
 

@@ -11,8 +11,8 @@ import numpy as np
 from matplotlib.animation import FuncAnimation
 from PIL import Image
 
+from .plan import target_parts
 from .style import COLOURS, DEPOT, MARKERS, PATH, WINDOW
-from .tours import target_parts
 
 #: matplotlib's player takes its buttons' pictures from the network; these signs need none, and are in most fonts
 _SIGNS = {"minus": "−", "plus": "+", "pause": "||", "play": "▶", "play fa-flip-horizontal": "◀"}

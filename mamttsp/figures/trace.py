@@ -11,8 +11,8 @@ _AXES = {"time": "time (s)", "report": "report, and the phase that begins there"
 def trace_view(steps, against="time", ax=None):
     """Draw incumbent and bound of a solve, the gap between them grey, and return the axes.
 
-    steps: the Progress reports in order, e.g. a `trace.Trace`; against: "time", s, or "report", their number, which is
-    the same on every machine; below it is the phase, where one begins.
+    steps: the Progress reports in order, e.g. a `display.Trace`; against: "time", s, or "report", their number, which
+    is the same on every machine; below it is the phase, where one begins.
     """
     ax = ax or plt.figure(figsize=(7, 4.5), layout="constrained").add_subplot()
     steps = list(steps)

@@ -4,8 +4,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.text import OffsetFrom
 
+from .plan import target_parts
 from .style import COLOURS, DEPOT, LINES, MARKERS, PATH, WINDOW, once
-from .tours import target_parts
 
 
 def cycle_view(instance, tours=(), cycles=(), ax=None):

@@ -47,3 +47,4 @@ EQUATIONS = {
         "norm": 29,
     },
 }
+METHODS = tuple(EQUATIONS)

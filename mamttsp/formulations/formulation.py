@@ -8,7 +8,7 @@ import numpy as np
 import pyomo.environ as pyo
 from pyomo.common.gc_manager import PauseGC
 
-from ..instance import InputError
+from ..validation import InputError
 from .equations import EQUATIONS
 from .statistics import statistics
 
@@ -76,7 +76,7 @@ class PyomoFormulation(Formulation):
     modeler = "pyomo"
 
     def _builder(self):
-        build = importlib.import_module(f".{self.method}", __package__).build
+        build = importlib.import_module(f".pyomo.{self.method}", __package__).build
 
         def build_without_collector(graph, n_agents):
             with PauseGC():  # a model is many small objects: this makes the build three times as fast

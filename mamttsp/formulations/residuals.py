@@ -3,7 +3,7 @@
 import numpy as np
 import pyomo.environ as pyo
 
-from .cones import cone_violation
+from .pyomo.cones import cone_violation
 
 
 def residuals(model):

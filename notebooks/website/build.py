@@ -19,7 +19,7 @@ from bs4 import BeautifulSoup
 from nbformat.v4 import new_markdown_cell, new_notebook
 from page_exporter import FOLDER, PageExporter, markdown
 
-from mamttsp.course import notebooks
+from mamttsp.study.course import notebooks
 
 ROOT = FOLDER.parents[1]
 FONT = Path(ziamath.__file__).parent / "fonts" / "STIXTwoMath-Regular.ttf"

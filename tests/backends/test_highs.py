@@ -10,8 +10,8 @@ from oracle import optimum
 from mamttsp import build_graph, generate, solve
 from mamttsp.backends import Options, highs
 from mamttsp.backends.cone_cuts import ConeCuts
-from mamttsp.backends.conic_data import conic_data
 from mamttsp.formulations import build_formulation
+from mamttsp.formulations.conic_form import conic_data
 
 
 def _formulation(problem, method="micp"):

@@ -3,8 +3,8 @@
 import math
 
 import pytest
-from examples import instance, still
 from exact.enumeration import optimum as faster
+from examples import instance, still
 from meetings import passing, three_at_one_point, two_on_one_path
 from oracle import optimum
 

@@ -3,9 +3,9 @@
 import math
 
 import pytest
-from examples import MAX_SPEED, instance, moving, still
 from exact.certificates import assert_certified
 from exact.enumeration import optimum
+from examples import MAX_SPEED, instance, moving, still
 
 from mamttsp import Instance, Target, generate, solve
 

@@ -104,5 +104,5 @@ def test_no_bound_rests_on_times_that_were_not_optimised(monkeypatch):
     """Where the SOCP gives no answer, tours keep their earliest times: they can be flown, but prove nothing."""
     problem = generate(6, 60, 2, seed=1)
     expected = optimum(problem)
-    monkeypatch.setattr("mamttsp.times._solve_times", lambda graph, route: (None, 0.0))
+    monkeypatch.setattr("mamttsp.timing._solve_times", lambda graph, route: (None, 0.0))
     assert_brackets(problem, solve(problem, time_limit=1.0), expected)

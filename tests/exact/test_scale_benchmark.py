@@ -4,7 +4,7 @@ import pandas as pd
 import pytest
 import scale as benchmark
 
-from mamttsp.backends.answer import Progress
+from mamttsp.options import Progress
 
 
 def _step(time, phase):

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 import pytest
-from examples import instance, moving, still
 from exact.certificates import assert_brackets, assert_certified
 from exact.enumeration import optimum
+from examples import instance, moving, still
 
 from mamttsp import InputError, solve
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import psutil
 
 from mamttsp.experiments import Run, read_rows
-from mamttsp.experiments.process import WORKER
+from mamttsp.experiments.campaigns.process import WORKER
 
 FAKE_WORKER = (sys.executable, str(Path(__file__).with_name("fake_worker.py")))
 #: a campaign on runs 0 to N-1, which the script does in S seconds each

@@ -1,6 +1,6 @@
 """Results files with rows that nobody ran, to compute on by hand and to draw."""
 
-from mamttsp.experiments.rows import COLUMNS, line_of, text_of
+from mamttsp.experiments.campaigns.rows import COLUMNS, line_of, text_of
 
 _SAME = {"n": 5, "index": 0, "total_window": 40, "agents": 1, "method": "micp", "modeler": "pyomo", "solver": "scip"}
 _SAME |= {"time_limit": 60, "tours": "[]", "solver_version": "scip 10.0", "threads": 1, "cpu": "a laptop"}

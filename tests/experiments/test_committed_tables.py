@@ -8,9 +8,9 @@ import pandas as pd
 import pytest
 
 from mamttsp.experiments import profile
-from mamttsp.experiments.best_known import verify
-from mamttsp.experiments.statistics import INSTANCE
-from mamttsp.experiments.tables import build_tables
+from mamttsp.experiments.build_tables import build_tables
+from mamttsp.experiments.campaigns.rows import INSTANCE
+from mamttsp.experiments.summaries.best_known import verify
 from mamttsp.generate import PAPER_SIZES
 
 FOLDER = Path(__file__).parents[2] / "paper_results"

@@ -6,7 +6,7 @@ import pytest
 
 from mamttsp import Tour, Visit
 from mamttsp.figures import cycle_view, leak_view, save
-from mamttsp.meetings import passing
+from mamttsp.study.meetings import passing
 
 HOME = Tour((Visit(0, 2.5, (10.0, 0.0)),), 5.0)
 CYCLE = (Visit(1, 50.0, (60.0, 0.0)), Visit(2, 50.0, (60.0, 0.0)))

@@ -7,10 +7,10 @@ import pytest
 from models import MODELS
 
 from mamttsp import InputError, build_graph, generate
-from mamttsp.backends.answer import Options
 from mamttsp.backends.scip import solve
 from mamttsp.formulations import build_formulation
 from mamttsp.formulations.equations import EQUATIONS
+from mamttsp.options import Options
 
 OBJECTIVES = {"baseline": 1, "nonconvex": 11, "micp": 17}
 

@@ -9,7 +9,7 @@ from oracle import optimum
 from mamttsp import InputError, build_graph, generate
 from mamttsp.backends.scip_models import ipopt_options
 from mamttsp.formulations import build_formulation
-from mamttsp.formulations.kernel import to_kernel
+from mamttsp.formulations.pyomo.kernel import to_kernel
 
 CONVEX = ("baseline", "micp")
 

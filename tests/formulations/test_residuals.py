@@ -6,10 +6,10 @@ from models import MODELERS, MODELS, some_routes
 
 from mamttsp import build_graph, generate
 from mamttsp.formulations import build_formulation
-from mamttsp.formulations.assignment import assign, segment_of
 from mamttsp.formulations.equations import EQUATIONS
+from mamttsp.formulations.points import assign, segment_of
 from mamttsp.formulations.residuals import residuals
-from mamttsp.times import best_tours
+from mamttsp.timing import best_tours
 
 TOLERANCE = 1e-6
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import nbformat
 
-from mamttsp.course import notebooks
+from mamttsp.study.course import notebooks
 
 ROOT = Path(__file__).parents[2]
 NOTEBOOKS = notebooks(ROOT / "notebooks")

@@ -11,7 +11,7 @@ import pytest
 from notebooks.running import CHECKED, ROOT, assert_executed, execute_whole, lay_out, run
 from notebooks.wrong_answers import WRONG
 
-from mamttsp.course import notebooks
+from mamttsp.study.course import notebooks
 
 FOLDER = ROOT / "notebooks" / "exercises"
 SHEETS = notebooks(FOLDER)

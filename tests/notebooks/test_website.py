@@ -7,7 +7,7 @@ import pytest
 from bs4 import BeautifulSoup
 from notebooks.running import NOTEBOOKS, ROOT
 
-from mamttsp.course import notebooks
+from mamttsp.study.course import notebooks
 
 SOURCES = "img[src], script[src], iframe[src], source[src], video[src], audio[src], link[href]"
 

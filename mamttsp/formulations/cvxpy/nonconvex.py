@@ -1,6 +1,6 @@
 """Why the nonconvex program of Section IV-A has no cvxpy form."""
 
-from ...instance import InputError
+from ...validation import InputError
 
 
 class Nonconvex:

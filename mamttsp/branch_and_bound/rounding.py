@@ -1,0 +1,63 @@
+"""Tours from a fractional flow: take its edges from the heaviest on, as long as they fit together and can be flown."""
+
+import numpy as np
+
+from ..timing import earliest_times
+
+
+def round_flow(graph, y, alive, n_agents):
+    """Return at most `n_agents` routes (tuples of segments) through all targets that can be flown, None if unlucky.
+
+    y: (|E|,) flow; alive: (|E|,) the edges that may be used, those without flow last. An edge of the depot with a flow
+    of at least one half makes an end of a route; if that leaves too many routes, no edge does.
+    """
+    edges = np.flatnonzero(alive)
+    edges = edges[np.argsort(-np.round(y[edges], 9), kind="stable")]
+    return _join(graph, edges, edges[y[edges] >= 0.5], n_agents) or _join(graph, edges, [], n_agents)
+
+
+def _join(graph, edges, heavy, n_agents):
+    chains = _Chains(graph, graph.edges[heavy])
+    for i, j in graph.edges[edges].tolist():
+        if i != graph.s and j != graph.s_prime:
+            chains.join(i, j)
+    for i in graph.V_seg:
+        chains.add(i)
+    routes = sorted(set(chains.chain.values()))
+    complete = len(chains.node) == graph.n_targets
+    return routes if complete and len(routes) <= n_agents else None
+
+
+class _Chains:
+    """Chains of segments that grow at their ends; every chain can be flown from the depot and back."""
+
+    def __init__(self, graph, ends):
+        self.graph = graph
+        self.first = {j for i, j in ends.tolist() if i == graph.s}  # segments that must open a chain
+        self.last = {i for i, j in ends.tolist() if j == graph.s_prime}  # segments that must end one
+        self.chain = {}  # segment -> its chain, a tuple of segments
+        self.node = {}  # target -> its segment
+        for i in self.first | self.last:
+            self.add(i)
+
+    def add(self, i):
+        """Visit segment i by a chain of its own, if its target is not visited yet and it can be flown."""
+        if self.graph.tau[i] not in self.node and earliest_times(self.graph, (i,)) is not None:
+            self._keep((i,))
+
+    def join(self, i, j):
+        """Fly from i to j, if i ends a chain (or starts one), j opens another, and the whole can be flown."""
+        if j in self.first or i in self.last or not (self._fits(i) and self._fits(j)):
+            return
+        before, after = self.chain.get(i, (i,)), self.chain.get(j, (j,))
+        meet = before[-1] == i and after[0] == j and before != after
+        if meet and earliest_times(self.graph, before + after) is not None:
+            self._keep(before + after)
+
+    def _fits(self, i):
+        return self.node.get(self.graph.tau[i], i) == i
+
+    def _keep(self, chain):
+        for i in chain:
+            self.chain[i] = chain
+            self.node[self.graph.tau[i]] = i

@@ -1,0 +1,171 @@
+"""What people see of a solve: while it runs a line that is written over or a log, afterwards a table."""
+
+import sys
+import time
+
+#: least time in s between two lines where the last one cannot be overwritten
+_LINE_EVERY = 5.0
+
+
+def progress_display(stream=sys.stderr):
+    """Return what shows a running solve here: a NotebookLine in a notebook, elsewhere a ProgressLine on `stream`.
+
+    Use: `with progress_display() as line: solve(instance, progress=line)`.
+    """
+    # Whoever runs in a notebook has IPython loaded; nobody else has to load it.
+    shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
+    return NotebookLine() if getattr(shell, "kernel", None) else ProgressLine(stream)
+
+
+class ProgressLine:
+    """Writes each Progress it is called with to a stream, over the last one on a terminal, else a line now and then.
+
+    A context manager: leaving it clears the line.
+    """
+
+    def __init__(self, stream, on=True):
+        self.stream, self.on = stream, on
+        self.terminal = stream.isatty()
+        self.width = 0
+        self.last = time.monotonic()
+
+    def __call__(self, step):
+        if not self.on:
+            return
+        text = format_progress(step)
+        if self.terminal:
+            self._overwrite(text)
+        elif time.monotonic() >= self.last + _LINE_EVERY:
+            self.last = time.monotonic()
+            print(text, file=self.stream, flush=True)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *exception):
+        if self.width:
+            self._overwrite("")
+            self.stream.write("\r")
+
+    def _overwrite(self, text):
+        self.stream.write("\r" + text.ljust(self.width))
+        self.stream.flush()
+        self.width = len(text)
+
+
+class NotebookLine:
+    """Shows each Progress it is called with under the cell that runs, over the last one.
+
+    A context manager: leaving it empties the line, so that a saved notebook holds no half-done run.
+    """
+
+    def __init__(self):
+        self._shown = None
+
+    def __call__(self, step):
+        self._show(format_progress(step))
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *exception):
+        if self._shown:
+            self._show("")
+
+    def _show(self, text):
+        from IPython.display import display
+
+        data = {"text/plain": text}
+        if self._shown:
+            self._shown.update(data, raw=True)
+        else:
+            self._shown = display(data, raw=True, display_id=True)
+
+
+def format_progress(step):
+    """Return a Progress as one line of text."""
+    gap = "-" if step.gap is None else f"{100 * step.gap:.2f} %"
+    nodes = "" if step.nodes is None else f"  nodes {step.nodes}"
+    columns = "" if step.columns is None else f"  columns {step.columns}"
+    lengths = f"incumbent {number(step.objective)}  bound {number(step.bound)}"
+    return f"{step.time:7.1f} s  {lengths}  gap {gap}{nodes}{columns}  {step.phase}"
+
+
+class Trace:
+    """Records every Progress it is called with: `solve(..., progress=trace)`, then `trace.steps`, or iterate over it.
+
+    then: another callback, e.g. a ProgressLog, that is handed each Progress as well.
+    """
+
+    def __init__(self, then=None):
+        self.steps, self.then = [], then
+
+    def __call__(self, step):
+        self.steps.append(step)
+        if self.then:
+            self.then(step)
+
+    def __iter__(self):
+        return iter(self.steps)
+
+    def table(self, times=True):
+        """Return the log as text, a row for each Progress; without times the same run gives the same text."""
+        return "\n".join([log_header(times), *(log_row(step, times) for step in self.steps)])
+
+
+class ProgressLog:
+    """Prints each Progress it is called with as a row of a table."""
+
+    def __init__(self, stream=None):
+        self.stream, self._begun = stream or sys.stdout, False
+
+    def __call__(self, step):
+        if not self._begun:
+            print(log_header(), file=self.stream)
+            self._begun = True
+        print(log_row(step), file=self.stream, flush=True)
+
+
+def log_header(times=True):
+    """Return the names above the rows of `log_row`."""
+    return _row("phase", "nodes", "columns", "incumbent", "bound", "gap", "time" if times else None)
+
+
+def log_row(step, times=True):
+    """Return a Progress as a row: lengths in units, the gap in per cent, the time in s."""
+    gap = "-" if step.gap is None else f"{100 * step.gap:.4f} %"
+    nodes, columns = ("-" if count is None else str(count) for count in (step.nodes, step.columns))
+    seconds = f"{step.time:.1f} s" if times else None
+    return _row(step.phase, nodes, columns, number(step.objective), number(step.bound), gap, seconds)
+
+
+def _row(phase, nodes, columns, incumbent, bound, gap, time):
+    row = f"{phase:<12}{nodes:>10}{columns:>10}{incumbent:>14}{bound:>14}{gap:>13}"
+    return row if time is None else f"{row}{time:>11}"
+
+
+def table(solution):
+    """Return the solution's numbers and tours as lines of text."""
+    gap = "-" if solution.gap is None else f"{100 * solution.gap:.4f} %"
+    built = f" (after {solution.build_time:.2f} s to build the model)" if solution.modeler else ""
+    rows = [
+        ("status", solution.status),
+        ("method", f"{solution.method}, {solution.modeler}" if solution.modeler else solution.method),
+        ("solver", solution.solver),
+        ("objective", number(solution.objective)),
+        ("bound", number(solution.bound)),
+        ("gap", gap),
+        ("runtime", f"{solution.runtime:.2f} s{built}"),
+        ("nodes", "-" if solution.nodes is None else str(solution.nodes)),
+        ("subtour cuts", str(solution.subtour_cuts)),
+    ]
+    lines = [f"{name:<13} {value}" for name, value in rows]
+    for k, tour in enumerate(solution.tours):
+        visits = ", ".join(f"{visit.target} at {visit.time:.2f} s" for visit in tour.visits)
+        lines.append(f"{f'tour {k}':<13} {visits}; back at {tour.return_time:.2f} s")
+    return "\n".join(lines)
+
+
+def number(value):
+    """Return a length as text, a dash where it is unknown."""
+    return "-" if value is None else f"{value:.4f}"

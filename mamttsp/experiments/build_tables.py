@@ -1,0 +1,34 @@
+"""The tables that are made of rows: best_known.csv and claims.csv, in the folder of the rows."""
+
+from pathlib import Path
+
+import pandas as pd
+
+from ..validation import InputError
+from .campaigns.rows import line_of, text_of
+from .campaigns.runs import profile
+from .claims.claim_table import claim_table
+from .summaries.best_known import best_known
+from .summaries.published import read_published
+from .summaries.row_statistics import of_runs, read_table
+
+
+def build_tables(folder):
+    """Write both tables into `folder`, from its published.csv, exact.csv and reduced.csv, and yield their paths.
+
+    InputError: a file is missing or has other columns, rows contradict each other, or a table cannot be written.
+    """
+    folder = Path(folder)
+    exact, reduced = read_table(folder / "exact.csv"), read_table(folder / "reduced.csv")
+    yield _write(best_known(pd.concat([exact, reduced], ignore_index=True)), folder / "best_known.csv")
+    published, runs = read_published(folder / "published.csv"), profile("reduced")
+    yield _write(claim_table(published, of_runs(reduced, runs), exact), folder / "claims.csv")
+
+
+def _write(table, path):
+    lines = [[None if pd.isna(value) else text_of(value) for value in line] for line in table.itertuples(index=False)]
+    try:
+        path.write_bytes(b"".join(line_of(line) for line in [table.columns, *lines]))
+    except OSError as error:
+        raise InputError(f"{path}: cannot be written: {error.strerror}") from error
+    return path

@@ -1,0 +1,72 @@
+"""What a campaign runs: a paper instance by one method within one limit; and the profiles, named lists of runs."""
+
+import dataclasses
+
+from ...backends import choose
+from ...generate import PAPER_INDICES, PAPER_SIZES
+from ...validation import InputError, positive
+
+#: the settings of the paper's Figures 2 and 3: (total window in s, agents)
+SETTINGS = ((20, 1), (40, 1), (60, 1), (40, 2), (40, 3), (40, 4), (40, 5))
+PROFILES = ("smoke", "reduced", "full", "exact")
+
+
+@dataclasses.dataclass(frozen=True)
+class Run:
+    """One solve of `paper_instance(n, index, total_window, agents)`; its fields are the key of its row.
+
+    method, modeler, solver: as given to `solve`, modeler and solver None for "exact"; time_limit: s.
+    """
+
+    n: int
+    index: int
+    total_window: float
+    agents: int
+    method: str
+    modeler: str | None
+    solver: str | None
+    time_limit: float
+
+    def __post_init__(self):
+        positive("time_limit", self.time_limit)
+
+
+def profile(name, solver=None):
+    """Return the list of runs of a profile, small instances first.
+
+    "smoke": every method on n = 5 within 5 s, under two minutes in all. "reduced": MICP and baseline on SCIP, and
+    the MICP on our branch and bound over Clarabel, instances 0 to 4 of each n within 60 s. "full": the paper's 1120
+    runs, MICP and baseline within 1800 s on `solver` (default: scip). "exact": our own solver on all 560 settings
+    within 300 s.
+    """
+    if name not in PROFILES:
+        raise InputError(f"profile: expected one of {', '.join(PROFILES)}, found {name!r}")
+    if solver is not None and name != "full":
+        raise InputError(f'solver: only the profile "full" takes one, found {solver!r} for "{name}"')
+    if name == "smoke":
+        return _runs((5,), range(1), ((20, 1), (20, 2)), _SMOKE, 5)
+    if name == "reduced":
+        return _runs(PAPER_SIZES, range(5), SETTINGS, _REDUCED, 60)
+    if name == "full":
+        both = [(method, solver or "scip") for method in ("micp", "baseline")]
+        return _runs(PAPER_SIZES, PAPER_INDICES, SETTINGS, both, 1800)
+    return _runs(PAPER_SIZES, PAPER_INDICES, SETTINGS, (("exact", None),), 300)
+
+
+_REDUCED = (("micp", "scip"), ("baseline", "scip"), ("micp", "clarabel"))
+_SMOKE = (("exact", None), *_REDUCED, ("nonconvex", "scip"))
+
+
+def _runs(sizes, indices, settings, methods, time_limit):
+    routes = [(method, *_route(method, solver)) for method, solver in methods]
+    return [
+        Run(n, index, window, agents, *route, time_limit)
+        for n in sizes
+        for index in indices
+        for window, agents in settings
+        for route in routes
+    ]
+
+
+def _route(method, solver):
+    return (None, None) if method == "exact" else choose(method, None, solver)

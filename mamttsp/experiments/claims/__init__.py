@@ -1,0 +1,1 @@
+"""The paper's claims, held against its own plots and against our rows."""

@@ -1,0 +1,70 @@
+"""Reachable sets, and the graph of Section III."""
+
+import itertools
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from .plan import target_parts
+from .style import COLOURS, DEPOT, LABEL, PATH, WINDOW, once
+
+
+def reach_view(instance, place, time, meetings=(), ax=None):
+    """Draw what an agent at (place, 0) at `time` can still reach, in x and time, and return the axes.
+
+    For targets on the line y = 0: the agent's cone is grey, `meetings`, rows (x, t), are dots.
+    """
+    ax = ax or plt.figure(figsize=(7, 5), layout="constrained").add_subplot()
+    T = instance.horizon
+    far = instance.max_speed * (T - time)
+    ax.fill([place, place - far, place + far], [time, T, T], color="0.92", zorder=0, label="can be reached")
+    for target, path, in_windows in target_parts(instance):
+        ax.plot(*path[:, [0, 2]].T, **PATH, **once(target, "target's path"))
+        ax.annotate(str(target), path[-1, [0, 2]], xytext=(0, 8), textcoords="offset points", **LABEL)
+        for w, window in enumerate(in_windows):
+            ax.plot(*window[:, [0, 2]].T, **WINDOW, **once(target + w, "time window"))
+    ax.plot(*np.reshape(meetings, (-1, 2)).T, "o", color=COLOURS[0], zorder=4, label="earliest meeting")
+    ax.plot(place, time, **DEPOT, label="agent")
+    margin = 0.1 * instance.size
+    xs = np.concatenate([instance.depot[:1], *(target.points[:, 0] for target in instance.targets)])
+    ax.set(xlabel="x (units)", ylabel="time (s)", xlim=(xs.min() - margin, xs.max() + margin), ylim=(0, 1.08 * T))
+    ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0.0, frameon=False)
+    return ax
+
+
+def graph_view(graph, route=(), ax=None):
+    """Draw the graph of Section III, with a route's edges if there is one, and return the axes.
+
+    s is at the left, s' at the right, a column between them holds the segments of one target, early ones below; edges
+    are thin and grey, those of `route` (nodes of V_seg in order) thick and blue.
+    """
+    ax = ax or plt.figure(figsize=(9, 4.5), layout="constrained").add_subplot()
+    places = _node_places(graph)
+    flown = set(itertools.pairwise([graph.s, *route, graph.s_prime])) if route else set()
+    for edge in map(tuple, graph.edges.tolist()):
+        style = {"color": "0.75", "zorder": 1}
+        if edge in flown:
+            style = {"color": COLOURS[0], "linewidth": 2.2, "zorder": 3}
+        arrow = {"arrowstyle": "-|>", "connectionstyle": "arc3,rad=0.12", "shrinkA": 11, "shrinkB": 11, **style}
+        ax.annotate("", places[edge[1]], places[edge[0]], arrowprops=arrow, zorder=style["zorder"])
+    for i, place in enumerate(places):
+        ax.plot(*place, "o", markersize=20, color="white", markeredgecolor="black", zorder=4)
+        name = {graph.s: "s", graph.s_prime: "s'"}.get(i, str(i))
+        ax.annotate(name, place, fontsize=10, ha="center", va="center", zorder=5)
+    low, high = places[:, 1].min() - 0.5, places[:, 1].max() + 0.5
+    for u in range(graph.n_targets):
+        ax.axvspan(u + 0.7, u + 1.3, color="#F5C45E", alpha=0.25, zorder=0)
+        ax.text(u + 1.0, high, f"target {u}", ha="center", va="bottom")
+    ax.set(xlim=(-0.4, graph.n_targets + 1.4), ylim=(low, high + 0.3))
+    ax.axis("off")
+    return ax
+
+
+def _node_places(graph):
+    """Return (|V|, 2): a column for each cluster, its segments around height 0."""
+    places = np.zeros((len(graph.tau), 2))
+    places[graph.s_prime, 0] = graph.n_targets + 1.0
+    for u in range(graph.n_targets):
+        nodes = graph.C(u)
+        places[nodes] = np.c_[np.full(len(nodes), u + 1.0), np.arange(len(nodes)) - (len(nodes) - 1) / 2]
+    return places

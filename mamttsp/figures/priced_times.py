@@ -1,0 +1,81 @@
+"""What time prices do: relaxed times, the tilt of two costs, tangents of a distance, and errors against widths."""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from .plan import plan_view
+from .style import COLOURS, LINES, MARKERS, once
+
+
+def relaxed_view(instance, graph, route, arrive, leave, ax=None):
+    """Draw a route whose visits may be left at another time than they are made, from above, and return the axes.
+
+    route: (K,) segments in order; arrive, leave: (K,) times of each visit in s. Legs are blue, from where a visit is
+    left to where the next one is made; a red bar along the segment joins the two places of one visit.
+    """
+    ax = plan_view(instance, ax=ax)
+    made, left = (np.array([graph.position(i, t) for i, t in zip(route, times)]) for times in (arrive, leave))
+    for p, q in zip(np.vstack([instance.depot, left]), np.vstack([made, instance.depot])):
+        arrow = {"arrowstyle": "-|>", "color": COLOURS[0], "shrinkA": 0, "shrinkB": 0}
+        ax.annotate("", q, p, arrowprops=arrow, zorder=4)
+    for k, (p, q) in enumerate(zip(made, left)):
+        bar = {"color": COLOURS[1], "linewidth": 3.0, "solid_capstyle": "butt", "zorder": 5}
+        ax.plot(*np.c_[p, q], **bar, **once(k, "jump of a visit"))
+    handles, labels = ax.get_legend_handles_labels()
+    shown = [k for k, label in enumerate(labels) if not label.startswith("agent")]
+    place = {"loc": "upper left", "bbox_to_anchor": (1.02, 1.0), "borderaxespad": 0.0, "frameon": False}
+    ax.legend([handles[k] for k in shown], [labels[k] for k in shown], **place)
+    return ax
+
+
+def tilt_view(times, so_far, to_go, best, price=0.0, ax=None):
+    """Draw the cost so far and to go of a visit against its time, tilted by a price, and return the axes.
+
+    times: (N,) s; so_far, to_go: (N,) lengths in units, infinite where not flyable; best: the index of the visit's best
+    time; price: mu in units/s. All curves are shown relative to their values there; dots are their lowest points.
+    """
+    ax = ax or plt.figure(figsize=(5, 4), layout="constrained").add_subplot()
+    tilt = price * (times - times[best])
+    curves = {"so far": so_far - so_far[best] + tilt, "to go": to_go - to_go[best] - tilt}
+    curves["sum"] = curves["so far"] + curves["to go"]
+    for k, (name, values) in enumerate(curves.items()):
+        colour = (COLOURS[0], COLOURS[1], "black")[k]
+        ax.plot(times, values, color=colour, linestyle=LINES[k], label=name)
+        lowest = np.nanargmin(np.where(np.isfinite(values), values, np.nan))
+        ax.plot(times[lowest], values[lowest], MARKERS[k], color=colour)
+    ax.axhline(0.0, color="0.8", linewidth=0.8, zorder=0)
+    ax.set(xlabel="time of the visit (s)", ylabel="units more than at the best time")
+    ax.set_title(f"price {price:.2f} units/s")
+    ax.legend(frameon=False)
+    return ax
+
+
+def tangents_view(pieces, graph, q, i, ax=None):
+    """Draw the distance from the middle of piece q to segment i against the time on it, with the minorants of the legs
+    from q to its pieces, and return the axes."""
+    ax = ax or plt.figure(figsize=(5, 4), layout="constrained").add_subplot()
+    half = (pieces.b[q] - pieces.a[q]) / 2
+    times = np.linspace(graph.t_lo[i], graph.t_hi[i], 200)
+    places = graph.p_lo[i] + (times - graph.t_lo[i])[:, None] * graph.v[i]
+    distance = np.linalg.norm(places - pieces.p[q] - half * pieces.v[q], axis=1)
+    ax.plot(times, distance, color="black", label="distance")
+    for k, r in enumerate(np.flatnonzero((pieces.segment == i) & np.isfinite(pieces.legs[q, :, 0]))):
+        c, slope_q, slope_r = pieces.legs[q, r]
+        values = c + slope_q * half + slope_r * np.array([0.0, pieces.b[r] - pieces.a[r]])
+        ax.plot([pieces.a[r], pieces.b[r]], values, "|--", color=COLOURS[0], **once(k, "minorant on a piece"))
+    ax.set(xlabel="time on the segment (s)", ylabel="distance (units)")
+    ax.legend(frameon=False)
+    return ax
+
+
+def errors_view(widths, errors, ax=None):
+    """Draw errors (units) against the widths (s) of pieces, both axes logarithmic, and return the axes.
+
+    errors: dict from the name of a relaxation to its errors, one for each width.
+    """
+    ax = ax or plt.figure(figsize=(6, 4), layout="constrained").add_subplot()
+    for k, (name, values) in enumerate(errors.items()):
+        ax.plot(widths, values, color=COLOURS[k], linestyle=LINES[k], marker=MARKERS[k], label=name)
+    ax.set(xlabel="width of the pieces (s)", ylabel="optimum less bound (units)", xscale="log", yscale="log")
+    ax.legend(frameon=False)
+    return ax

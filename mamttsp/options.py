@@ -1,0 +1,120 @@
+"""Limits and switches of a solve, what it reports on the way, and the clock that a limit or Ctrl-C ends."""
+
+import dataclasses
+import math
+import signal
+import threading
+import time
+from collections.abc import Callable
+from numbers import Real
+
+import numpy as np
+
+from .validation import InputError
+
+
+@dataclasses.dataclass(frozen=True)
+class Progress:
+    """A running solve at one moment.
+
+    time: s since its start; objective, bound, gap: best so far, None while unknown (gap as a fraction);
+    nodes: branch-and-bound nodes, labels of the exact solver, None where the solver has none; phase: one or two words,
+    e.g. "scip" or "dive"; columns: routes that the exact solver has closed, None where a solver has none.
+    """
+
+    time: float
+    objective: float | None
+    bound: float | None
+    gap: float | None
+    nodes: int | None
+    phase: str
+    columns: int | None = None
+
+
+@dataclasses.dataclass(frozen=True)
+class Options:
+    """Limits and switches that mean the same for every back end.
+
+    time_limit: s, None for none; gap: relative gap (a fraction) at which a solve is optimal; threads: at least 1;
+    seed: of the solver's own random choices; verbose: let the solver print its log; progress: called with a Progress
+    now and then. A limit or KeyboardInterrupt ends a solve with what stands, never with an exception.
+    """
+
+    time_limit: float | None = None
+    gap: float = 1e-4
+    threads: int = 1
+    seed: int = 0
+    verbose: bool = False
+    progress: Callable[[Progress], None] | None = None
+
+    def __post_init__(self):
+        if self.time_limit is not None:
+            _number("time_limit", self.time_limit, 0.0, strict=True)
+        _number("gap", self.gap, 0.0)
+        _whole("threads", self.threads, 1)
+        _whole("seed", self.seed, 0)
+
+
+class Clock:
+    """Counts from its creation, or from `start` (a perf_counter()); limit: s, None for none."""
+
+    def __init__(self, limit=None, start=None):
+        self.limit = limit
+        self.start = time.perf_counter() if start is None else start
+
+    @property
+    def spent(self):
+        """Seconds since the start."""
+        return time.perf_counter() - self.start
+
+    @property
+    def left(self):
+        """Seconds left, at least 0; None without a limit."""
+        return None if self.limit is None else max(self.limit - self.spent, 0.0)
+
+    @property
+    def over(self):
+        """Whether the limit has come."""
+        return self.left == 0.0
+
+
+class Watch(Clock):
+    """A Clock that Ctrl-C ends as well. As a context manager it takes Ctrl-C over, because compiled code must not be
+    broken off in the middle: the run ends at its next look at `out`, with what stands."""
+
+    def __init__(self, limit=None):
+        super().__init__(limit)
+        self._stopped = False
+
+    def out(self):
+        """Whether the run has to end."""
+        return self._stopped or self.over
+
+    @property
+    def seconds(self):
+        """Seconds left, infinite without a limit."""
+        return math.inf if self.left is None else self.left
+
+    def __enter__(self):
+        self._main = threading.current_thread() is threading.main_thread()
+        if self._main:
+            self._handler = signal.signal(signal.SIGINT, self._stop)
+        return self
+
+    def __exit__(self, *exception):
+        if self._main:
+            signal.signal(signal.SIGINT, self._handler)
+
+    def _stop(self, *_):
+        self._stopped = True
+
+
+def _number(name, value, least, strict=False):
+    good = isinstance(value, Real) and not isinstance(value, bool) and math.isfinite(value)
+    if not good or value < least or (strict and value == least):
+        raise InputError(f"{name}: expected a number {'above' if strict else 'of at least'} {least:g}, found {value!r}")
+
+
+def _whole(name, value, least):
+    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < least:
+        raise InputError(f"{name}: expected a whole number of at least {least}, found {value!r}")

@@ -1,0 +1,152 @@
+"""The parts of the branch and bound, each against a definition that can be checked by enumeration."""
+
+import itertools
+
+import numpy as np
+import pytest
+
+from mamttsp import build_graph, generate
+from mamttsp.branch_and_bound.branching import branch
+from mamttsp.branch_and_bound.perspective import Perspective
+from mamttsp.branch_and_bound.propagation import propagate
+from mamttsp.branch_and_bound.rounding import round_flow
+from mamttsp.branch_and_bound.separation import violated_sets
+from mamttsp.flow import read_flow
+from mamttsp.formulations import build_formulation
+from mamttsp.formulations.conic_form import conic_program
+from mamttsp.timing import best_times, earliest_times
+
+INSTANCES = [generate(3, 60, 2, seed=3), generate(4, 40, 1, seed=2), generate(4, 20, 2, seed=5)]
+
+
+def _routes(graph):
+    """Return every route through all targets, as tuples of segments, that one agent can fly."""
+    clusters = [graph.C(u).tolist() for u in range(graph.n_targets)]
+    orders = (route for order in itertools.permutations(clusters) for route in itertools.product(*order))
+    return [route for route in orders if earliest_times(graph, route) is not None]
+
+
+def _edges_of(graph, route):
+    stops = [graph.s, *route, graph.s_prime]
+    number = {tuple(edge): e for e, edge in enumerate(graph.edges.tolist())}
+    return np.array([number[edge] for edge in zip(stops[:-1], stops[1:])])
+
+
+def _relaxation(problem):
+    graph = build_graph(problem)
+    program = conic_program(build_formulation("micp", "cvxpy", graph, problem.n_agents))
+    return graph, Perspective(program, graph, problem.n_agents)
+
+
+def _only(graph, edges):
+    alive = np.zeros(len(graph.edges), dtype=bool)
+    alive[edges] = True
+    return alive
+
+
+@pytest.mark.parametrize("problem", INSTANCES)
+def test_propagation_keeps_every_route_and_its_times(problem):
+    graph = build_graph(problem)
+    alive, times = propagate(graph, np.ones(len(graph.edges), dtype=bool))
+    assert not alive.all()
+    for route in _routes(graph):
+        edges = _edges_of(graph, route)
+        assert alive[edges].all()
+        for visits in (earliest_times(graph, route), best_times(graph, list(route))[1]):
+            leave, arrive = np.array([0.0, *visits]), np.array([*visits, graph.horizon])
+            assert (times[edges, 0] <= leave + 1e-6).all() and (leave <= times[edges, 1] + 1e-6).all()
+            assert (times[edges, 2] <= arrive + 1e-6).all() and (arrive <= times[edges, 3] + 1e-6).all()
+
+
+def test_propagation_along_one_route_starts_at_its_earliest_times():
+    graph = build_graph(INSTANCES[1])
+    route = _routes(graph)[0]
+    edges = _edges_of(graph, route)
+    _, times = propagate(graph, _only(graph, edges))
+    assert times[edges[:-1], 2] == pytest.approx(earliest_times(graph, route), abs=1e-6)
+
+
+def test_propagation_sees_that_a_target_cannot_be_reached():
+    graph = build_graph(INSTANCES[0])
+    assert propagate(graph, graph.tau[graph.edges[:, 1]] != 1) is None
+
+
+@pytest.mark.parametrize("problem", INSTANCES)
+def test_on_one_route_the_relaxation_is_its_length(problem):
+    graph, relaxation = _relaxation(problem)
+    for route in _routes(graph)[:10]:
+        alive, times = propagate(graph, _only(graph, _edges_of(graph, route)))
+        length = best_times(graph, list(route))[0]
+        assert length * (1 - 1e-6) <= relaxation.relax(alive, times).bound <= length * (1 + 1e-8)
+
+
+@pytest.mark.parametrize("problem", INSTANCES)
+def test_no_route_is_shorter_than_the_bound_with_what_its_edges_add(problem):
+    graph, relaxation = _relaxation(problem)
+    relaxed = relaxation.relax(*propagate(graph, np.ones(len(graph.edges), dtype=bool)))
+    assert relaxed.extra.max() > 0.1 * relaxed.bound
+    for route in _routes(graph):
+        length = best_times(graph, list(route))[0]
+        assert relaxed.bound + relaxed.extra[_edges_of(graph, route)].max() <= length * (1 + 1e-8)
+
+
+@pytest.mark.parametrize("problem", INSTANCES)
+def test_branching_loses_no_route_and_shares_none(problem):
+    graph, relaxation = _relaxation(problem)
+    alive, times = propagate(graph, np.ones(len(graph.edges), dtype=bool))
+    children = branch(graph, relaxation.relax(alive, times).y, alive)
+    assert all((child <= alive).all() and child.sum() < alive.sum() for child in children)
+    for route in _routes(graph):
+        assert sum(child[_edges_of(graph, route)].all() for child in children) == 1
+
+
+def test_nothing_is_left_to_branch_on_in_one_route():
+    graph = build_graph(INSTANCES[1])
+    alive = _only(graph, _edges_of(graph, _routes(graph)[0]))
+    assert branch(graph, alive.astype(float), alive) is None
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_violated_set_is_found_where_there_is_one(seed):
+    """Half of a tour and half of another flow of paths and cycles, against all sets of targets."""
+    graph = build_graph(generate(5, 10, 1, seed=seed))
+    rng = np.random.default_rng(seed)
+    y = (_random_flow(graph, rng) + _random_flow(graph, rng)) / 2
+    tail, head = graph.tau[graph.edges.T]
+    short = set()
+    for size in range(2, 6):
+        for S in itertools.combinations(range(5), size):
+            if y[~np.isin(tail, S) & np.isin(head, S)].sum() < 0.98:
+                short.add(S)
+    found = violated_sets(graph, y)
+    assert bool(found) == bool(short) and set(found) <= short
+
+
+def _random_flow(graph, rng):
+    """Return a flow that enters and leaves the first segment of each target once, in paths and cycles."""
+    nodes = [graph.C(u)[0] for u in range(graph.n_targets)]
+    after = dict(zip(nodes, rng.permutation(nodes)))
+    hops = {(i, j) for i, j in after.items() if i != j}
+    flow = hops.union(*({(graph.s, i), (i, graph.s_prime)} for i, j in after.items() if i == j))
+    return np.array([float(tuple(edge) in flow) for edge in graph.edges.tolist()])
+
+
+@pytest.mark.parametrize("problem", INSTANCES)
+def test_rounding_finds_the_tours_of_a_whole_flow(problem):
+    graph = build_graph(problem)
+    everything = np.ones(len(graph.edges), dtype=bool)
+    for route in _routes(graph)[:10]:
+        y = _only(graph, _edges_of(graph, route)).astype(float)
+        assert round_flow(graph, y, everything, problem.n_agents) == [route] == list(read_flow(graph, y).paths)
+
+
+def test_rounding_makes_no_more_routes_than_agents():
+    problem = generate(6, 40, 1, seed=1)
+    graph, relaxation = _relaxation(problem)
+    alive, times = propagate(graph, np.ones(len(graph.edges), dtype=bool))
+    y = relaxation.relax(alive, times).y
+    for m in (1, 2, 6):
+        routes = round_flow(graph, y, alive, m)
+        assert routes is None or len(routes) <= m
+        assert routes is None or sorted(graph.tau[list(itertools.chain(*routes))]) == list(range(6))
+    assert routes is not None and all(earliest_times(graph, route) is not None for route in routes)
