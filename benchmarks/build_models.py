@@ -1,7 +1,7 @@
 """Measure how long each model takes to build and to hand over, and how large it is; write the table into README.md.
 
 Run with `make benchmarks`. Build: from the graph to the model. Hand-over: from a Pyomo model to a loaded SCIP model,
-and from a cvxpy problem to the conic data that every cvxpy solver is given.
+and from a cvxpy problem to the conic program that every solver of it is given.
 """
 
 import importlib.metadata
@@ -14,7 +14,6 @@ from tqdm import tqdm
 from mamttsp import build_graph, generate
 from mamttsp.backends.scip_models import from_pyomo
 from mamttsp.formulations import build_formulation
-from mamttsp.formulations.conic_form import conic_data
 from mamttsp.versions import processor
 
 SIZES, FLEETS = (5, 10, 15, 20), (1, 3, 5)
@@ -34,7 +33,7 @@ def measure(method, modeler, graph, n_agents):
         if modeler == "pyomo":
             from_pyomo(formulation.model)
         else:
-            conic_data(formulation.model.problem)
+            formulation.conic_program()
         hand_over_times.append(time.perf_counter() - start)
         build_times.append(formulation.build_time)
     return min(build_times), min(hand_over_times), formulation.statistics()

@@ -8,7 +8,6 @@ import numpy as np
 
 from .conic_solver import claims_infeasible, dual_point, minimise
 from .formulations import build_formulation
-from .formulations.conic_form import conic_program
 from .graph import build_graph
 from .validation import InputError
 
@@ -46,7 +45,7 @@ def relaxation(formulation):
     1e-6 of it, and never above.
     """
     graph, n_agents = formulation.graph, formulation.n_agents
-    program = conic_program(formulation)
+    program = formulation.conic_program().relaxed()
     size = program.n_zero, program.n_nonneg
     answer = minimise(program.c, program.A, program.b, *size)
     x, z = np.array(answer.x), dual_point(answer, *size)

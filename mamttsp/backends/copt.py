@@ -1,4 +1,4 @@
-"""COPT, when installed: cvxpy formulations as conic data (Pyomo has no plugin for it)."""
+"""COPT, when installed: cvxpy formulations as a conic program (Pyomo has no plugin for it)."""
 
 import coptpy
 import numpy as np
@@ -21,7 +21,7 @@ def solve(formulation, options):
         raise
 
 
-def _run(program, options, clock):
+def _run(program, cones, options, clock):
     config = coptpy.EnvrConfig()
     config.set("nobanner", "1")
     model = coptpy.Envr(config).createModel("mamttsp")
@@ -30,8 +30,7 @@ def _run(program, options, clock):
     kinds = np.where(program.integer, COPT.INTEGER, COPT.CONTINUOUS)
     bounds = (np.clip(limit, -COPT.INFINITY, COPT.INFINITY) for limit in (program.lower, program.upper))
     model.loadMatrix(program.c, program.A.tocsc(), lower, program.b, *bounds, kinds)
-    columns = np.concatenate(program.cones)
-    model.loadCone(len(program.cones), None, [len(cone) for cone in program.cones], columns.tolist())
+    model.loadCone(len(cones), None, [3] * len(cones), cones.ravel().tolist())
     model.setParam(COPT.Param.RelGap, options.gap)
     model.setParam(COPT.Param.Threads, options.threads)
     if clock.left is not None:

@@ -1,4 +1,4 @@
-"""Gurobi, when installed: cvxpy formulations as conic data, Pyomo ones through its plugin."""
+"""Gurobi, when installed: cvxpy formulations as a conic program, Pyomo ones through its plugin."""
 
 import gurobipy
 import numpy as np
@@ -31,12 +31,12 @@ def _plugin_options(options, time_left):
     return settings if time_left is None else settings | {"TimeLimit": time_left}
 
 
-def _run(program, options, clock):
+def _run(program, cones, options, clock):
     with gurobipy.Env(params={"OutputFlag": int(options.verbose)}) as env, gurobipy.Model(env=env) as model:
         kinds = np.where(program.integer, GRB.INTEGER, GRB.CONTINUOUS)
         x = model.addMVar(len(program.c), program.lower, program.upper, program.c, kinds)
         model.addMConstr(program.A, x, program.senses, program.b)
-        for cone in program.cones:
+        for cone in cones:
             model.addConstr(x[cone[1:]] @ x[cone[1:]] <= x[cone[0]] * x[cone[0]])
         for name, value in _plugin_options(options, clock.left).items():
             model.setParam(name, value)

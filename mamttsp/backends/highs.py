@@ -6,7 +6,6 @@ held fixed, give an incumbent once enough tangents have been added for the cones
 
 import highspy
 
-from ..formulations.conic_form import conic_data
 from ..options import Clock, Progress
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, known_length, relative_gap
 from .answer import Answer
@@ -20,22 +19,22 @@ _FIXED_ROUNDS = 50
 def solve(formulation, options):
     """Solve a cvxpy formulation by outer approximation; the point found is loaded into its problem."""
     clock = Clock(options.time_limit)
-    search = _Search(conic_data(formulation.model.problem), options, clock)
+    search = _Search(formulation.conic_program(), options, clock)
     status = search.run()
     flow = None
     if search.best is not None:
-        search.data.load(search.best)
+        search.program.load(search.best)
         flow = formulation.flow()
     version = ".".join(highspy.Highs().version().split(".")[:2])
     return Answer(status, search.objective, search.bound, flow, search.nodes, clock.spent, f"highs {version}")
 
 
 class _Search:
-    """One outer approximation: data, master, and what is known so far."""
+    """One outer approximation: program, master, and what is known so far."""
 
-    def __init__(self, data, options, clock):
-        self.data, self.options, self.clock = data, options, clock
-        self.cones, self.master = ConeCuts(data), Master(data, options)
+    def __init__(self, program, options, clock):
+        self.program, self.options, self.clock = program, options, clock
+        self.cones, self.master = ConeCuts(program), Master(program, options)
         self.best, self.objective, self.bound, self.nodes = None, None, None, 0
 
     def run(self):
@@ -68,7 +67,7 @@ class _Search:
                 return None
 
     def _take(self, x):
-        objective = known_length(self.data.c @ x)
+        objective = known_length(self.program.c @ x)
         if self.objective is None or objective < self.objective:
             self.best, self.objective = x, objective
 

@@ -1,4 +1,4 @@
-"""HiGHS with the linear rows of conic data, and tangents of its cones as they come."""
+"""HiGHS with the linear rows of a conic program, and tangents of its cones as they come."""
 
 import highspy
 import numpy as np
@@ -12,15 +12,15 @@ _SOLVED = (highspy.HighsModelStatus.kOptimal, highspy.HighsModelStatus.kTimeLimi
 class Master:
     """A mixed-integer linear program in HiGHS whose optimum bounds the conic program's from below."""
 
-    def __init__(self, data, options):
-        self.data, self.highs = data, highspy.Highs()
+    def __init__(self, program, options):
+        self.program, self.highs = program, highspy.Highs()
         self.highs.setOptionValue("output_flag", options.verbose)
         self.highs.setOptionValue("threads", options.threads)
         self.highs.setOptionValue("random_seed", options.seed % 2**31)
         self.highs.setOptionValue("mip_rel_gap", options.gap / 2)
         self.highs.HandleKeyboardInterrupt = True
-        self.highs.passModel(_linear_part(data))
-        self.integers = np.flatnonzero(data.integer).astype(np.int32)
+        self.highs.passModel(_linear_part(program))
+        self.integers = np.flatnonzero(program.integer).astype(np.int32)
 
     def add(self, R, upper):
         """Add rows R x <= upper."""
@@ -42,7 +42,7 @@ class Master:
         at = np.round(x[self.integers])
         self.highs.changeColsBounds(len(at), self.integers, at, at)
         point = self._run(clock, relaxed=True)
-        lower, upper = self.data.lower[self.integers], self.data.upper[self.integers]
+        lower, upper = self.program.lower[self.integers], self.program.upper[self.integers]
         self.highs.changeColsBounds(len(at), self.integers, lower, upper)
         return point
 
@@ -56,16 +56,16 @@ class Master:
         return np.array(self.highs.getSolution().col_value) if usable else None
 
 
-def _linear_part(data):
-    rows = data.n_equal + data.n_linear
-    A, b = data.A[:rows], data.b[:rows]
+def _linear_part(program):
+    rows = program.n_linear
+    A, b = program.A[:rows], program.b[:rows]
     lp = highspy.HighsLp()
-    lp.num_col_, lp.num_row_ = len(data.c), rows
-    lp.col_cost_, lp.col_lower_, lp.col_upper_ = data.c, data.lower, data.upper
-    lp.row_lower_ = np.where(np.arange(rows) < data.n_equal, b, -highspy.kHighsInf)
+    lp.num_col_, lp.num_row_ = len(program.c), rows
+    lp.col_cost_, lp.col_lower_, lp.col_upper_ = program.c, program.lower, program.upper
+    lp.row_lower_ = np.where(np.arange(rows) < program.n_zero, b, -highspy.kHighsInf)
     lp.row_upper_ = b
     lp.a_matrix_.format_ = highspy.MatrixFormat.kRowwise
     lp.a_matrix_.start_, lp.a_matrix_.index_, lp.a_matrix_.value_ = A.indptr, A.indices, A.data
     kinds = (highspy.HighsVarType.kContinuous, highspy.HighsVarType.kInteger)
-    lp.integrality_ = [kinds[whole] for whole in data.integer.astype(int)]
+    lp.integrality_ = [kinds[whole] for whole in program.integer.astype(int)]
     return lp

@@ -1,4 +1,4 @@
-"""MOSEK, when installed: cvxpy formulations as conic data (it takes cones only as such, not as Pyomo writes them)."""
+"""MOSEK, when installed: cvxpy formulations as a conic program (cones only as such, not as Pyomo writes them)."""
 
 import mosek
 import numpy as np
@@ -21,11 +21,11 @@ def solve(formulation, options):
         raise
 
 
-def _run(program, options, clock):
+def _run(program, cones, options, clock):
     with mosek.Task() as task:
         if options.verbose:
             task.set_Stream(mosek.streamtype.log, lambda text: print(text, end=""))
-        _load(task, program)
+        _load(task, program, cones)
         task.putdouparam(mosek.dparam.mio_tol_rel_gap, options.gap)
         task.putintparam(mosek.iparam.num_threads, options.threads)
         task.putintparam(mosek.iparam.mio_seed, options.seed % 2**31)
@@ -37,7 +37,7 @@ def _run(program, options, clock):
         return Found(status, point, task.getdouinf(mosek.dinfitem.mio_obj_bound), nodes, _VERSION)
 
 
-def _load(task, program):
+def _load(task, program, cones):
     rows, columns = program.A.shape
     task.appendvars(columns)
     task.appendcons(rows)
@@ -52,7 +52,7 @@ def _load(task, program):
     task.putconboundlist(range(rows), senses, program.b, program.b)
     whole = np.flatnonzero(program.integer)
     task.putvartypelist(whole, [mosek.variabletype.type_int] * len(whole))
-    for cone in program.cones:
+    for cone in cones:
         task.appendcone(mosek.conetype.quad, 0.0, cone)
     task.putobjsense(mosek.objsense.minimize)
 

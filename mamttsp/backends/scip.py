@@ -1,4 +1,4 @@
-"""SCIP, for all three formulations: a Pyomo model goes over as an .nl file, a cvxpy problem as its conic data."""
+"""SCIP, for all three formulations: a Pyomo model goes over as an .nl file, a cvxpy problem as its conic program."""
 
 import pyscipopt
 from pyscipopt import SCIP_EVENTTYPE
@@ -6,7 +6,7 @@ from pyscipopt import SCIP_EVENTTYPE
 from ..options import Clock, Progress
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, known_length, relative_gap
 from .answer import Answer
-from .scip_models import from_cvxpy, from_pyomo, ipopt_options
+from .scip_models import from_conic, from_pyomo, ipopt_options
 
 #: least time in s between two reports of progress
 _REPORT_EVERY = 0.2
@@ -20,8 +20,8 @@ def solve(formulation, options):
     `threads` reaches SCIP's LP solver only: SCIP's own search has one thread.
     """
     clock = Clock(options.time_limit)
-    convert = from_pyomo if formulation.modeler == "pyomo" else from_cvxpy
-    scip, load = convert(formulation.model)
+    pyomo = formulation.modeler == "pyomo"
+    scip, load = from_pyomo(formulation.model) if pyomo else from_conic(formulation.conic_program())
     with ipopt_options() as path:
         _set_parameters(scip, options, path, clock.left)
         watch = _Watch(options.progress, clock)

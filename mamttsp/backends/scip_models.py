@@ -1,4 +1,4 @@
-"""From a Pyomo model or a cvxpy problem to a SCIP model, by public routes that leave SCIP in our hands.
+"""From a Pyomo model or a conic program to a SCIP model, by public routes that leave SCIP in our hands.
 
 Each converter returns (scip, load): the PySCIPOpt model, and a function that loads a solution of it into the
 variables of the model it came from.
@@ -11,8 +11,6 @@ from pathlib import Path
 import numpy as np
 import pyscipopt
 from pyomo.repn.plugins.nl_writer import NLWriter
-
-from ..formulations.conic_form import conic_data
 
 
 def ipopt_options():
@@ -40,35 +38,32 @@ def from_pyomo(model):
     return scip, load
 
 
-def from_cvxpy(model):
-    """Hand over a cvxpy formulation as its conic data; each row of a cone becomes a variable of its own."""
-    data = conic_data(model.problem)
+def from_conic(program):
+    """Hand over a ConicProgram; each row of a cone becomes a variable of its own."""
     scip = pyscipopt.Model()
     scip.hideOutput()
-    kinds = np.where(data.integer, "I", "C")
+    kinds = np.where(program.integer, "I", "C")
     x = [
         scip.addVar(obj=cost, vtype=kind, lb=_bound(lower), ub=_bound(upper))
-        for cost, kind, lower, upper in zip(data.c, kinds, data.lower, data.upper)
+        for cost, kind, lower, upper in zip(program.c, kinds, program.lower, program.upper)
     ]
-    first_cone = data.n_equal + data.n_linear
-    for row in range(first_cone):
-        body = _row(data.A, row, x)
-        scip.addCons(body == data.b[row] if row < data.n_equal else body <= data.b[row])
-    for size in data.cones:
-        _add_cone(scip, data, range(first_cone, first_cone + size), x)
-        first_cone += size
+    for row in range(program.n_linear):
+        body = _row(program.A, row, x)
+        scip.addCons(body == program.b[row] if row < program.n_zero else body <= program.b[row])
+    for first in range(program.n_linear, len(program.b), 3):
+        _add_cone(scip, program, range(first, first + 3), x)
 
     def load(solution):
-        data.load([scip.getSolVal(solution, variable) for variable in x])
+        program.load([scip.getSolVal(solution, variable) for variable in x])
 
     return scip, load
 
 
-def _add_cone(scip, data, rows, x):
+def _add_cone(scip, program, rows, x):
     """Add ||w_1, w_2, ...|| <= w_0 for the slacks w = b - A x of these rows."""
     w = [scip.addVar(lb=None if k else 0.0) for k in range(len(rows))]
     for row, slack in zip(rows, w):
-        scip.addCons(_row(data.A, row, x) + slack == data.b[row])
+        scip.addCons(_row(program.A, row, x) + slack == program.b[row])
     scip.addCons(pyscipopt.quicksum(part * part for part in w[1:]) <= w[0] * w[0])
 
 

@@ -1,4 +1,4 @@
-"""FICO Xpress, when installed: cvxpy formulations as conic data, Pyomo ones through its plugin."""
+"""FICO Xpress, when installed: cvxpy formulations as a conic program, Pyomo ones through its plugin."""
 
 import numpy as np
 import xpress
@@ -30,7 +30,7 @@ def _controls(options, time_left):
     return controls if time_left is None else controls | {"timelimit": time_left}
 
 
-def _run(program, options, clock):
+def _run(program, cones, options, clock):
     problem = xpress.problem()
     problem.setControl("outputlog", int(options.verbose))
     integers, columns = np.flatnonzero(program.integer), program.A.tocsc()
@@ -48,7 +48,7 @@ def _run(program, options, clock):
         entind=integers,
     )
     x = problem.getVariable()
-    for head, *tail in program.cones:
+    for head, *tail in cones:
         problem.addConstraint(xpress.Sum(x[k] ** 2 for k in tail) <= x[head] ** 2)
     for name, value in _controls(options, clock.left).items():
         problem.setControl(name, value)

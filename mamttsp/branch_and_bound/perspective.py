@@ -34,7 +34,7 @@ class NodeRelaxation:
 
 
 class Perspective:
-    """The MICP as a ConicProgram, ready for relaxations on fewer and fewer edges."""
+    """The MICP's relaxed ConicProgram, ready for relaxations on fewer and fewer edges."""
 
     def __init__(self, program, graph, n_agents, threads=1):
         self.graph, self.n_agents, self.threads = graph, n_agents, threads

@@ -7,7 +7,6 @@ import time
 
 import numpy as np
 
-from ..formulations.conic_form import conic_program
 from ..options import Progress
 from ..solution import known_length, relative_gap
 from .best_found import BestFound
@@ -29,7 +28,7 @@ class TreeSearch:
     def __init__(self, formulation, options):
         self.start = time.perf_counter()
         self.options, self.graph, self.n_agents = options, formulation.graph, formulation.n_agents
-        self.relaxation = Perspective(conic_program(formulation), self.graph, self.n_agents, options.threads)
+        self.relaxation = Perspective(formulation.conic_program().relaxed(), self.graph, self.n_agents, options.threads)
         self.heap, self.order = [], itertools.count()
         self.current = 0.0  # bound of the node at hand; 0 is a bound of every length
         self.closed = math.inf  # least bound at which something was given up for being no better than the incumbent

@@ -69,6 +69,10 @@ class Formulation(abc.ABC):
         """Return the model's size as Statistics."""
         return statistics(self.model)
 
+    @abc.abstractmethod
+    def conic_program(self):
+        """Return the ConicProgram of the model (baseline or MICP), with the cuts that it has by now."""
+
 
 class PyomoFormulation(Formulation):
     """A formulation as a Pyomo ConcreteModel; `y` runs over the edges first and then, if it has them, over agents."""
@@ -91,6 +95,11 @@ class PyomoFormulation(Formulation):
         y = np.array(list(self.model.y.values()), dtype=object).reshape(len(self.graph.edges), -1)
         self.model.subtour_cuts.add(pyo.quicksum(y[edges].flat) <= limit)
 
+    def conic_program(self):
+        from .pyomo.standard_form import standard_form
+
+        return standard_form(self.model)
+
 
 class CvxpyFormulation(Formulation):
     """A formulation as an instance of its cvxpy class; `y` has shape (|E|,) or (|E|, m)."""
@@ -106,6 +115,11 @@ class CvxpyFormulation(Formulation):
 
     def _limit(self, edges, limit):
         self.model.add_cut(self.model.y[edges].sum() <= limit)
+
+    def conic_program(self):
+        from .cvxpy.standard_form import standard_form
+
+        return standard_form(self.model)
 
 
 def build_formulation(method, modeler, graph, n_agents):

@@ -11,7 +11,6 @@ from mamttsp import build_graph, generate, solve
 from mamttsp.backends import Options, highs
 from mamttsp.backends.cone_cuts import ConeCuts
 from mamttsp.formulations import build_formulation
-from mamttsp.formulations.conic_form import conic_data
 
 
 def _formulation(problem, method="micp"):
@@ -19,8 +18,8 @@ def _formulation(problem, method="micp"):
 
 
 @pytest.fixture(scope="module")
-def data():
-    return conic_data(_formulation(generate(3, 20, seed=0)).model.problem)
+def program():
+    return _formulation(generate(3, 20, seed=0)).conic_program()
 
 
 def _norms(cones, x):
@@ -28,24 +27,24 @@ def _norms(cones, x):
     return w[:, 0], np.linalg.norm(w[:, 1:], axis=1)
 
 
-def test_tangents_cut_off_the_point_they_were_made_at(data):
-    cones = ConeCuts(data)
-    x = np.random.default_rng(0).normal(size=len(data.c))
+def test_tangents_cut_off_the_point_they_were_made_at(program):
+    cones = ConeCuts(program)
+    x = np.random.default_rng(0).normal(size=len(program.c))
     heads, norms = _norms(cones, x)
     R, upper = cones.violated(x)
     assert len(upper) == (norms > heads).sum() > 0
     assert R @ x - upper == pytest.approx((norms - heads)[norms > heads])
 
 
-def test_tangents_cut_off_no_point_of_the_cones(data):
-    cones = ConeCuts(data)
+def test_tangents_cut_off_no_point_of_the_cones(program):
+    cones = ConeCuts(program)
     rng = np.random.default_rng(1)
-    rows = [cones.first(), cones.violated(rng.normal(size=len(data.c)))]
-    lengths = [variable for variable in data.problem.variables() if variable.name() == "l"]
-    for point in rng.normal(size=(20, len(data.c))):
+    rows = [cones.first(), cones.violated(rng.normal(size=len(program.c)))]
+    lengths = program.columns["l"]
+    for point in rng.normal(size=(20, len(program.c))):
         heads, norms = _norms(cones, point)
         inside = point + _raise_heads(cones, heads, norms)
-        assert lengths and all((R @ inside <= upper + 1e-9).all() for R, upper in rows)
+        assert len(lengths) and all((R @ inside <= upper + 1e-9).all() for R, upper in rows)
 
 
 def _raise_heads(cones, heads, norms):

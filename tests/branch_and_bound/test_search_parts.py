@@ -13,7 +13,6 @@ from mamttsp.branch_and_bound.rounding import round_flow
 from mamttsp.branch_and_bound.separation import violated_sets
 from mamttsp.flow import read_flow
 from mamttsp.formulations import build_formulation
-from mamttsp.formulations.conic_form import conic_program
 from mamttsp.timing import best_times, earliest_times
 
 INSTANCES = [generate(3, 60, 2, seed=3), generate(4, 40, 1, seed=2), generate(4, 20, 2, seed=5)]
@@ -34,7 +33,7 @@ def _edges_of(graph, route):
 
 def _relaxation(problem):
     graph = build_graph(problem)
-    program = conic_program(build_formulation("micp", "cvxpy", graph, problem.n_agents))
+    program = build_formulation("micp", "cvxpy", graph, problem.n_agents).conic_program().relaxed()
     return graph, Perspective(program, graph, problem.n_agents)
 
 

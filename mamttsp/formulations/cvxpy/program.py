@@ -24,12 +24,6 @@ class Program(abc.ABC):
     def _build(self):
         """Create the variables, fill `constraints`, and return the objective."""
 
-    def add_subtour_cut(self, targets):
-        """Forbid cycles among `targets`: some tour enters the clusters of these targets from outside."""
-        inside = np.isin(self.graph.tau, list(targets))
-        tail, head = self.graph.edges.T
-        self.add_cut(cp.sum(self.y[~inside[tail] & inside[head]]) >= 1)
-
     def add_cut(self, cut):
         """Add a cvxpy constraint to the family `subtour_cuts`."""
         self.constraints.setdefault("subtour_cuts", []).append(cut)
