@@ -3,7 +3,6 @@
 import dataclasses
 import math
 
-import networkx as nx
 import numpy as np
 
 from .conic_solver import claims_infeasible, dual_point, minimise
@@ -54,21 +53,6 @@ def relaxation(formulation):
         return ContinuousRelaxation(math.inf, values)
     bound = _proved(program.c, program, z, graph, n_agents)
     return ContinuousRelaxation(max(0.0, float(bound)), values)  # lengths are not negative
-
-
-def depot_shares(graph, y):
-    """Return (n,) how much of the one visit of each target the flow y (|E|,) can bring there from the depot.
-
-    That is the least capacity y of a set of edges that cuts the target off. Where it is below 1, the rest goes round
-    in cycles that never see the depot.
-    """
-    network = nx.DiGraph()
-    ends = np.where(graph.tau[graph.edges] >= 0, graph.tau[graph.edges], graph.edges - len(graph.tau))  # depots: < 0
-    for (i, j), flow in zip(ends.tolist(), np.asarray(y).tolist()):
-        before = network.edges[i, j]["capacity"] if network.has_edge(i, j) else 0.0
-        network.add_edge(i, j, capacity=before + max(0.0, flow))
-    s = graph.s - len(graph.tau)
-    return np.array([nx.minimum_cut_value(network, s, u) for u in range(graph.n_targets)])
 
 
 def _proved(c, program, z, graph, n_agents):

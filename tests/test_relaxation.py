@@ -1,6 +1,5 @@
 """Relaxed bounds: the same from both modelers, below the optimum, and nothing at all from the baseline."""
 
-import itertools
 import math
 
 import numpy as np
@@ -11,7 +10,7 @@ from oracle import optimum
 from mamttsp import InputError, build_graph, generate
 from mamttsp.conic_solver import minimise
 from mamttsp.formulations import build_formulation
-from mamttsp.relaxation import depot_shares, relax, relaxation
+from mamttsp.relaxation import relax, relaxation
 
 MODELERS = ("cvxpy", "pyomo")
 CASES = [(2, 40, 1, 0), (3, 20, 2, 3), (4, 20, 3, 3), (4, 60, 2, 1)]
@@ -63,24 +62,6 @@ def test_the_values_are_a_point_of_the_relaxation(modeler):
         into, out_of = np.isin(head, formulation.graph.C(u)), np.isin(tail, formulation.graph.C(u))
         assert found.values["y"][into].sum() == pytest.approx(1.0, abs=1e-6)
         assert found.values["z_t_prime"][into].sum() == pytest.approx(found.values["z_t"][out_of].sum(), rel=1e-6)
-
-
-def _flow(graph, *paths):
-    """Return (|E|,) the sum of flows (share, nodes), each along its nodes."""
-    number = {edge: e for e, edge in enumerate(map(tuple, graph.edges.tolist()))}
-    y = np.zeros(len(number))
-    for share, nodes in paths:
-        np.add.at(y, [number[edge] for edge in itertools.pairwise(nodes)], share)
-    return y
-
-
-def test_what_reaches_a_target_from_the_depot():
-    graph = build_graph(instance(still(5, 0), still(0, 5), still(5, 5), still(9, 9)))
-    s, s_prime = graph.s, graph.s_prime
-    assert depot_shares(graph, _flow(graph, (1, [s, 1, 2, 3, 4, s_prime]))).tolist() == [1, 1, 1, 1]
-    # A tour of all four, half flown, and a cycle of 2 and 3, half flown, which nothing but the tour enters.
-    half = _flow(graph, (0.5, [s, 1, 2, 3, 4, s_prime]), (0.5, [s, 1, 4, s_prime]), (0.5, [2, 3, 2]))
-    assert depot_shares(graph, half).tolist() == [1, 0.5, 0.5, 1]
 
 
 def test_a_family_that_is_switched_off_no_longer_counts():

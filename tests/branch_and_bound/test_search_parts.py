@@ -4,13 +4,14 @@ import itertools
 
 import numpy as np
 import pytest
+from examples import instance, still
 
 from mamttsp import build_graph, generate
 from mamttsp.branch_and_bound.branching import branch
 from mamttsp.branch_and_bound.perspective import Perspective
 from mamttsp.branch_and_bound.propagation import propagate
 from mamttsp.branch_and_bound.rounding import round_flow
-from mamttsp.branch_and_bound.separation import violated_sets
+from mamttsp.branch_and_bound.separation import depot_cuts, violated_sets
 from mamttsp.flow import read_flow
 from mamttsp.formulations import build_formulation
 from mamttsp.timing import best_times, earliest_times
@@ -103,6 +104,29 @@ def test_nothing_is_left_to_branch_on_in_one_route():
     graph = build_graph(INSTANCES[1])
     alive = _only(graph, _edges_of(graph, _routes(graph)[0]))
     assert branch(graph, alive.astype(float), alive) is None
+
+
+def _flow(graph, *paths):
+    """Return (|E|,) the sum of flows (share, nodes), each along its nodes."""
+    number = {edge: e for e, edge in enumerate(map(tuple, graph.edges.tolist()))}
+    y = np.zeros(len(number))
+    for share, nodes in paths:
+        np.add.at(y, [number[edge] for edge in itertools.pairwise(nodes)], share)
+    return y
+
+
+def _shares(graph, *paths):
+    return [share for share, _ in depot_cuts(graph, _flow(graph, *paths))]
+
+
+def test_what_reaches_a_target_from_the_depot():
+    graph = build_graph(instance(still(5, 0), still(0, 5), still(5, 5), still(9, 9)))
+    s, s_prime = graph.s, graph.s_prime
+    assert _shares(graph, (1, [s, 1, 2, 3, 4, s_prime])) == [1, 1, 1, 1]
+    # A tour of all four, half flown, and a cycle of 2 and 3, half flown, which nothing but the tour enters.
+    half = (0.5, [s, 1, 2, 3, 4, s_prime]), (0.5, [s, 1, 4, s_prime]), (0.5, [2, 3, 2])
+    assert _shares(graph, *half) == [1, 0.5, 0.5, 1]
+    assert violated_sets(graph, _flow(graph, *half)) == [(1, 2)]
 
 
 @pytest.mark.parametrize("seed", range(6))
