@@ -24,39 +24,33 @@ class ProgressLine:
     """
 
     def __init__(self, stream, on=True):
-        self.stream, self.on = stream, on
-        self.terminal = stream.isatty()
-        self.width = 0
-        self.last = time.monotonic()
+        self.stream, self.on, self.last = stream, on, time.monotonic()
+        self._bar = None
+        if on and stream.isatty():
+            from tqdm import tqdm  # here: nobody else needs it
+
+            self._bar = tqdm(bar_format="{desc}", file=stream, leave=False)
 
     def __call__(self, step):
-        if not self.on:
-            return
-        text = format_progress(step)
-        if self.terminal:
-            self._overwrite(text)
-        elif time.monotonic() >= self.last + _LINE_EVERY:
+        if self._bar is not None:
+            self._bar.set_description_str(format_progress(step))
+        elif self.on and time.monotonic() >= self.last + _LINE_EVERY:
             self.last = time.monotonic()
-            print(text, file=self.stream, flush=True)
+            print(format_progress(step), file=self.stream, flush=True)
 
     def __enter__(self):
         return self
 
     def __exit__(self, *exception):
-        if self.width:
-            self._overwrite("")
-            self.stream.write("\r")
-
-    def _overwrite(self, text):
-        self.stream.write("\r" + text.ljust(self.width))
-        self.stream.flush()
-        self.width = len(text)
+        if self._bar is not None:
+            self._bar.close()
 
 
 class NotebookLine:
     """Shows each Progress it is called with under the cell that runs, over the last one.
 
-    A context manager: leaving it empties the line, so that a saved notebook holds no half-done run.
+    A context manager: leaving it empties the line, so that a saved notebook holds no half-done run; tqdm's own bar for
+    notebooks would stay in the file.
     """
 
     def __init__(self):
