@@ -1,5 +1,7 @@
 """The paper's random instances (Section V-A), with every choice that the paper leaves open as a parameter."""
 
+import math
+
 import numpy as np
 from numba import njit
 
@@ -41,6 +43,8 @@ def generate(
     shorter ones; the first contains the visit time of a random single-agent tour flown at v_max, at a random place in
     it, and the second lies anywhere clear of the widest first one.
     max_tries: how many random orders are tried for that tour before InputError.
+
+    The instance's R is the diagonal of the square, as in the paper.
     """
     for name, value in (("n_targets", n_targets), ("n_pieces", n_pieces), ("max_tries", max_tries)):
         whole(name, value, 1)
@@ -57,7 +61,7 @@ def generate(
         Target(times, points, _windows(window_rng, visit, total_window / 2, widest_total_window / 2, horizon))
         for (times, points), visit in zip(paths, visits)
     ]
-    return Instance(targets, n_agents, (0.0, 0.0), max_speed, horizon)
+    return Instance(targets, n_agents, (0.0, 0.0), max_speed, horizon, R=math.sqrt(2) * side)
 
 
 def paper_instance(n, index, total_window=40, n_agents=1):

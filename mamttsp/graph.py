@@ -13,7 +13,8 @@ class Graph:
 
     t_lo, t_hi: (|V|,) start and end time of each node in s; p_lo, p_hi: (|V|, 2) positions there; v: (|V|, 2)
     velocities. tau: (|V|,) the target of each segment, -1 for s and s'. edges: (|E|, 2) pairs (i, j).
-    max_speed: v_max; horizon: T; size: R, the diagonal of the area.
+    max_speed: v_max; horizon: T; size: the diagonal of depot and paths; R: the baseline's big-M, the
+    instance's own or else `size`.
     """
 
     t_lo: np.ndarray
@@ -26,6 +27,7 @@ class Graph:
     max_speed: float
     horizon: float
     size: float
+    R: float
 
     @property
     def s(self):
@@ -74,7 +76,8 @@ def build_graph(instance, prune=False):
     edges = _edges(tau)
     if prune:
         edges = edges[_flyable(edges, t_lo, t_hi, p_lo, p_hi, instance.max_speed)]
-    return Graph(t_lo, t_hi, p_lo, p_hi, v, tau, edges, instance.max_speed, instance.horizon, instance.size)
+    R = instance.size if instance.R is None else instance.R
+    return Graph(t_lo, t_hi, p_lo, p_hi, v, tau, edges, instance.max_speed, instance.horizon, instance.size, R)
 
 
 def segments(target):

@@ -48,7 +48,9 @@ class Target:
 class Instance:
     """An MA-MT-TSP: targets, a fleet of `n_agents` equal agents at one depot, their speed, and the horizon T.
 
-    targets: sequence of Target; depot: (2,) in units; max_speed: v_max in units/s; horizon: T in s.
+    targets: sequence of Target; depot: (2,) in units; max_speed: v_max in units/s; horizon: T in s. R: the big-M of the
+    baseline in units, at least every distance that may be flown, such as the diagonal of the area in which the targets
+    move; None takes `size`.
     """
 
     targets: tuple
@@ -56,6 +58,7 @@ class Instance:
     depot: np.ndarray
     max_speed: float
     horizon: float
+    R: float | None = None
 
     def __post_init__(self):
         object.__setattr__(self, "targets", tuple(self.targets))
@@ -64,6 +67,9 @@ class Instance:
             object.__setattr__(self, name, positive(name, getattr(self, name)))
         object.__setattr__(self, "n_agents", whole("n_agents", self.n_agents, 1))
         _check_targets(self)
+        if self.R is not None:
+            object.__setattr__(self, "R", positive("R", self.R))
+            _check_big_m(self)
 
     @property
     def n_targets(self):
@@ -71,16 +77,20 @@ class Instance:
 
     @property
     def size(self):
-        """R of the paper: the diagonal of the smallest upright rectangle that holds the depot and all paths."""
-        points = np.vstack([self.depot[None]] + [target.points for target in self.targets])
+        """The diagonal of the smallest upright rectangle that holds the depot and all paths, in units."""
+        points = self._corners()
         return float(np.linalg.norm(points.max(axis=0) - points.min(axis=0)))
+
+    def _corners(self):
+        """Return (K, 2) the points whose hull holds the depot and all paths."""
+        return np.vstack([self.depot, *(target.points for target in self.targets)])
 
     def with_agents(self, n_agents):
         """Return the same instance with another number of agents."""
         return dataclasses.replace(self, n_agents=n_agents)
 
     def to_dict(self):
-        """Return the JSON object of the file format (times in s, lengths in units)."""
+        """Return the JSON object of the file format (times in s, lengths in units); without "R" where it is None."""
         return {
             "format": FORMAT,
             "version": VERSION,
@@ -88,6 +98,7 @@ class Instance:
             "max_speed": self.max_speed,
             "horizon": self.horizon,
             "n_agents": self.n_agents,
+            **({} if self.R is None else {"R": self.R}),
             "targets": [target.to_dict() for target in self.targets],
         }
 
@@ -99,7 +110,7 @@ class Instance:
         if not isinstance(data["targets"], list):
             raise InputError("targets: expected a list of targets")
         targets = [_target_from(entry, f"targets[{u}]") for u, entry in enumerate(data["targets"])]
-        return cls(targets, data["n_agents"], data["depot"], data["max_speed"], data["horizon"])
+        return cls(targets, data["n_agents"], data["depot"], data["max_speed"], data["horizon"], data.get("R"))
 
     def write(self, path):
         """Write the instance as JSON."""
@@ -167,3 +178,14 @@ def _check_targets(instance):
                 f"targets[{u}].points: speed {fastest:g} is not below max_speed {instance.max_speed:g}; "
                 "agents must be faster"
             )
+
+
+def _check_big_m(instance):
+    """Reject a big-M that would forbid flights: it must be at least the distance between any two points."""
+    corners = instance._corners()
+    farthest = np.linalg.norm(corners[:, None] - corners, axis=-1).max()
+    if instance.R < farthest:
+        raise InputError(
+            f"R: {instance.R:g} is less than {farthest:g}, the distance between two points of depot and paths; "
+            "leave it out, or give the diagonal of the area"
+        )

@@ -70,10 +70,10 @@ def _proved(c, program, z, graph, n_agents):
 
 def _magnitudes(program, graph, n_agents):
     """Return a bound on the absolute value of each column, at an optimum where no l is longer than it must be."""
-    T, R = graph.horizon, graph.size
+    T = graph.horizon
     farthest = max(np.abs(graph.p_lo).max(), np.abs(graph.p_hi).max())
     bounds = {"y": 1.0, "alpha": n_agents, "t": T, "z_t": T, "z_t_prime": T, "z_p": farthest, "z_p_prime": farthest}
-    magnitudes = np.full(len(program.c), 2.0 * R)  # l, l_xy and l_bar, which is at most l + R
+    magnitudes = np.full(len(program.c), graph.size + graph.R)  # l, l_xy and l_bar, which is at most l + R
     for name in bounds.keys() & program.columns.keys():
         magnitudes[program.columns[name]] = bounds[name]
     return magnitudes

@@ -69,7 +69,7 @@ def check(instance, tours, tolerance=TOLERANCE):
 
     Independent of every formulation and solver: each target exactly once, inside one of its windows, on its path;
     no hop faster than max_speed; back by the horizon; at most n_agents tours. Lengths may be off by
-    `tolerance` x the instance's size (the diagonal R), times by `tolerance` x the horizon.
+    `tolerance` x the instance's size (the diagonal of depot and paths), times by `tolerance` x the horizon.
     """
     slack = tolerance * instance.horizon
     faults = _count_faults(instance, tours)

@@ -1,5 +1,6 @@
 """Target and Instance: what they hold, their file, and every kind of bad input, in the library and on the command line."""
 
+import dataclasses
 import json
 import math
 import subprocess
@@ -9,7 +10,7 @@ import numpy as np
 import pytest
 from examples import instance, moving, still
 
-from mamttsp import InputError, Instance, Target, generate
+from mamttsp import InputError, Instance, Target, build_graph, generate
 from mamttsp.__main__ import main
 
 GOOD = instance(moving((1, 2), (0.5, 0), [(10, 30), (60, 80)]), still(5, 5), n_agents=2)
@@ -44,6 +45,31 @@ def test_an_instance_survives_its_file(tmp_path):
         written.write(tmp_path / "instance.json")
         read = Instance.read(tmp_path / "instance.json")
         assert read == written and hash(read) == hash(written)
+
+
+def test_an_instance_may_carry_the_big_m_of_its_area(tmp_path):
+    wider = dataclasses.replace(GOOD, R=250)
+    wider.write(tmp_path / "instance.json")
+    assert json.loads((tmp_path / "instance.json").read_text())["R"] == 250.0
+    read = Instance.read(tmp_path / "instance.json")
+    assert read == wider != GOOD and read.with_agents(5).R == 250.0
+    assert read.size == GOOD.size and "R" not in GOOD.to_dict()
+
+
+def test_the_big_m_of_a_graph_is_the_instance_s_own_or_its_size():
+    assert build_graph(GOOD).R == GOOD.size
+    assert build_graph(dataclasses.replace(GOOD, R=250)).R == 250.0
+
+
+def test_a_big_m_that_forbids_flights_is_refused():
+    """Between (3, 4) and (-3, -4) it is 10 units, 5 from the depot."""
+    apart = instance(still(3, 4), still(-3, -4))
+    assert dataclasses.replace(apart, R=10.0).R == 10.0
+    with pytest.raises(InputError, match="^R: 9.9 is less than 10, "):
+        dataclasses.replace(apart, R=9.9)
+    for wrong in (0, -1.0, math.inf, "wide", True):
+        with pytest.raises(InputError, match="^R: expected a finite number above 0"):
+            dataclasses.replace(apart, R=wrong)
 
 
 def test_the_file_has_the_fields_of_the_format():

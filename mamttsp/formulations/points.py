@@ -89,7 +89,7 @@ def _baseline(graph, flown):
     i, j = graph.edges.T
     l_xy = flown.p[j] - flown.p[i]
     l = flown.y * np.linalg.norm(l_xy, axis=-1)
-    return {"y": flown.y, "t": flown.t, "l": l, "l_xy": l_xy, "l_bar": l + graph.size * (1.0 - flown.y)}
+    return {"y": flown.y, "t": flown.t, "l": l, "l_xy": l_xy, "l_bar": l + graph.R * (1.0 - flown.y)}
 
 
 def _nonconvex(graph, flown):

@@ -28,7 +28,7 @@ def assign_average(formulation):
         "y": y,
         "t": np.tile(t[:, None], m),
         "l": np.zeros_like(y),
-        "l_bar": graph.size * (1.0 - y),
+        "l_bar": graph.R * (1.0 - y),
         "l_xy": np.tile((p[j] - p[i])[:, None], (1, m, 1)),
     }
     for name, value in values.items():

@@ -1,6 +1,10 @@
 """The cvxpy programs: optima, families of constraints, vectorisation, and the one program that cvxpy cannot state."""
 
+import dataclasses
+
 import cvxpy as cp
+import examples
+import numpy as np
 import pytest
 from meetings import passing
 from oracle import optimum
@@ -20,6 +24,15 @@ def test_the_optimum_is_that_of_enumeration(program, n, window, m, seed):
     problem = program(build_graph(instance), m).problem
     assert problem.is_dcp() and problem.is_mixed_integer()
     assert problem.solve(solver=cp.SCIP) == pytest.approx(optimum(instance), rel=1e-5)
+
+
+def test_the_baseline_takes_the_big_m_of_the_graph():
+    """With y = 0 and l = 0 everywhere, row (9) makes the auxiliary length R."""
+    graph = build_graph(dataclasses.replace(examples.instance(examples.still(3, 4)), R=70.0))
+    built = Baseline(graph, 1)
+    for variable, value in ((built.y, 0.0), (built.l, 0.0), (built.l_bar, 70.0)):
+        variable.value = np.full(variable.shape, value)
+    assert built.constraints["big_m"][0].violation().max() == 0.0
 
 
 @pytest.mark.parametrize("method", PROGRAMS)

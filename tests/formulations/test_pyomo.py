@@ -1,5 +1,7 @@
 """The Pyomo models: every equation of the paper is there, named and documented, and the wrapper around them."""
 
+import dataclasses
+
 import examples
 import numpy as np
 import pyomo.environ as pyo
@@ -40,7 +42,7 @@ def test_the_families_cover_the_paper():
 
 def test_rows_of_the_baseline_by_hand():
     """One still target at (3, 4): with l = 5, t = 2 and both edges flown, what each row says in numbers."""
-    graph = build_graph(examples.instance(examples.still(3.0, 4.0)))
+    graph = build_graph(dataclasses.replace(examples.instance(examples.still(3.0, 4.0)), R=70.0))
     model = build_formulation("baseline", "pyomo", graph, 1).model
     for v in model.component_data_objects(pyo.Var):
         v.set_value(0.0)
@@ -50,7 +52,7 @@ def test_rows_of_the_baseline_by_hand():
     assert slack(model.speed[1, 2, 1]) == pytest.approx(examples.MAX_SPEED * (examples.HORIZON - 2.0))  # y = 0: big-M
     model.l_xy[0, 1, 1, 0], model.l_xy[0, 1, 1, 1] = 3.0, 4.0
     assert all(abs(slack(model.displacement[0, 1, 1, x])) < 1e-12 for x in model.XY)
-    model.l_bar[0, 1, 1], model.l_bar[1, 2, 1] = 5.0, graph.size
+    model.l_bar[0, 1, 1], model.l_bar[1, 2, 1] = 5.0, 70.0  # y = 0: R
     assert all(abs(slack(model.big_m[row])) < 1e-12 for row in [(0, 1, 1), (1, 2, 1)])
     assert slack(model.norm[0, 1, 1]) == 0.0
 

@@ -47,7 +47,7 @@ class Baseline(Program):
         elapsed = (pick(head, graph) - pick(tail, graph)) @ self.t
         self.constraints["speed"] = [self.l <= graph.max_speed * (elapsed + graph.horizon * (1 - self.y))]  # (7)
         self.constraints["displacement"] = [self.l_xy[k] == self._displacement(k) for k in (0, 1)]  # (8)
-        self.constraints["big_m"] = [self.l_bar == self.l + graph.size * (1 - self.y)]  # (9)
+        self.constraints["big_m"] = [self.l_bar == self.l + graph.R * (1 - self.y)]  # (9)
         flat = [cp.vec(x, order="F") for x in (self.l_bar, *self.l_xy)]
         self.constraints["norm"] = [cp.SOC(flat[0], cp.vstack(flat[1:]))]  # (10)
 

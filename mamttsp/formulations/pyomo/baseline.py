@@ -10,7 +10,7 @@ def build(graph, n_agents):
     """Return the baseline as a ConcreteModel for a Graph and m = n_agents agents."""
     m = agent_network(graph, n_agents, "baseline")  # sets, y, t, eqs (2)-(6)
     E, V_agt, t, y = m.E, m.V_agt, m.t, m.y
-    v_max, T, R = graph.max_speed, graph.horizon, graph.size
+    v_max, T, R = graph.max_speed, graph.horizon, graph.R
     v, p_0 = motions(graph)
 
     m.l = pyo.Var(E, V_agt, domain=pyo.NonNegativeReals, doc="l_{e,k}: length that agent k flies on edge e")
