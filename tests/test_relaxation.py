@@ -1,16 +1,20 @@
 """Relaxed bounds: the same from both modelers, below the optimum, and nothing at all from the baseline."""
 
+import dataclasses
 import math
 
 import numpy as np
 import pytest
 from examples import instance, still
+from models import some_routes
 from oracle import optimum
 
 from mamttsp import InputError, build_graph, generate
 from mamttsp.conic_solver import minimise
 from mamttsp.formulations import build_formulation
-from mamttsp.relaxation import relax, relaxation
+from mamttsp.formulations.points import assign
+from mamttsp.relaxation import _magnitudes, relax, relaxation
+from mamttsp.timing import best_tours
 
 MODELERS = ("cvxpy", "pyomo")
 CASES = [(2, 40, 1, 0), (3, 20, 2, 3), (4, 20, 3, 3), (4, 60, 2, 1)]
@@ -42,6 +46,19 @@ def test_the_baselines_relaxation_is_zero(modeler, n, window, m, seed):
     program = build_formulation("baseline", modeler, build_graph(problem), m).conic_program().relaxed()
     answer = minimise(program.c, program.A, program.b, program.n_zero, program.n_nonneg)
     assert answer.obj_val == pytest.approx(0.0, abs=1e-6)  # attained: not only a bound that says nothing
+
+
+def test_the_proof_of_the_baseline_s_bound_allows_for_its_big_m():
+    """At tours, where every l_bar that is not flown is R or more, no variable is larger than the proof takes it to be."""
+    wide = dataclasses.replace(generate(3, 20, 2, seed=3), R=5000.0)
+    formulation = build_formulation("baseline", "cvxpy", build_graph(wide), 2)
+    program = formulation.conic_program()  # before there are values: it takes them away
+    assign(formulation, best_tours(formulation.graph, some_routes(formulation.graph, 2))[1])
+    most = _magnitudes(program, formulation.graph, 2)
+    for variable in formulation.model.problem.variables():
+        columns = program.columns[variable.name()]
+        assert (np.abs(variable.value) <= most[columns].reshape(variable.shape)).all(), variable.name()
+    assert relax(wide, "baseline") == pytest.approx(0.0, abs=1e-6)
 
 
 @pytest.mark.parametrize("modeler", MODELERS)
