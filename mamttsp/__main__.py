@@ -8,14 +8,14 @@ import sys
 from pathlib import Path
 
 from .backends import MODELERS, SOLVERS
-from .display import ProgressLine, table
+from .display import ProgressLine
 from .flow import FlowError
 from .generate import generate
 from .instance import Instance
 from .solution import Solution
 from .solve import ALL_METHODS, solve
 from .tours import TourError, check
-from .validation import InputError
+from .validation import InputError, counted
 from .versions import versions
 
 
@@ -46,7 +46,7 @@ def _generate(arguments):
     _check_writable(arguments.output)
     instance = generate(arguments.targets, arguments.window, arguments.agents, arguments.seed)
     instance.write(arguments.output)
-    print(f"{arguments.output}: {instance.n_targets} targets, {instance.n_agents} agents")
+    print(f"{arguments.output}: {counted(instance.n_targets, 'target')}, {counted(instance.n_agents, 'agent')}")
     return 0
 
 
@@ -71,16 +71,16 @@ def _solve(arguments):
     if arguments.output:
         solution.write(arguments.output)
     if not arguments.quiet:
-        print(table(solution))
+        print(solution)
     return 0 if solution.tours else 1
 
 
 def _check(arguments):
     instance, solution = _read_instance(arguments), Solution.read(arguments.solution)
-    length = check(instance, solution.tours)
+    length = check(instance, solution)
     if solution.objective is None or abs(solution.objective - length) > 1e-6 * max(length, instance.size):
         raise TourError(f"objective: the file says {solution.objective}, the tours' length is {length:.9g}")
-    print(f"correct: {len(solution.tours)} tours, total length {length:.9g}")
+    print(f"correct: {counted(len(solution.tours), 'tour')}, total length {length:.9g}")
     return 0
 
 

@@ -1,7 +1,9 @@
-"""What people see of a solve: while it runs a line that is written over or a log, afterwards a table."""
+"""What people see of a solve while it runs: a line that is written over, or a log."""
 
 import sys
 import time
+
+from .solution_table import number
 
 #: least time in s between two lines where the last one cannot be overwritten
 _LINE_EVERY = 5.0
@@ -136,30 +138,3 @@ def log_row(step, times=True):
 def _row(phase, nodes, columns, incumbent, bound, gap, time):
     row = f"{phase:<12}{nodes:>10}{columns:>10}{incumbent:>14}{bound:>14}{gap:>13}"
     return row if time is None else f"{row}{time:>11}"
-
-
-def table(solution):
-    """Return the solution's numbers and tours as lines of text."""
-    gap = "-" if solution.gap is None else f"{100 * solution.gap:.4f} %"
-    built = f" (after {solution.build_time:.2f} s to build the model)" if solution.modeler else ""
-    rows = [
-        ("status", solution.status),
-        ("method", f"{solution.method}, {solution.modeler}" if solution.modeler else solution.method),
-        ("solver", solution.solver),
-        ("objective", number(solution.objective)),
-        ("bound", number(solution.bound)),
-        ("gap", gap),
-        ("runtime", f"{solution.runtime:.2f} s{built}"),
-        ("nodes", "-" if solution.nodes is None else str(solution.nodes)),
-        ("subtour cuts", str(solution.subtour_cuts)),
-    ]
-    lines = [f"{name:<13} {value}" for name, value in rows]
-    for k, tour in enumerate(solution.tours):
-        visits = ", ".join(f"{visit.target} at {visit.time:.2f} s" for visit in tour.visits)
-        lines.append(f"{f'tour {k}':<13} {visits}; back at {tour.return_time:.2f} s")
-    return "\n".join(lines)
-
-
-def number(value):
-    """Return a length as text, a dash where it is unknown."""
-    return "-" if value is None else f"{value:.4f}"

@@ -4,7 +4,9 @@ import dataclasses
 
 import numpy as np
 
+from .instance import Instance
 from .motion import TIME_SLACK
+from .validation import of_type
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -68,6 +70,7 @@ def build_graph(instance, prune=False):
     Pruning never changes an optimum: targets are slower than agents, so an agent that leaves i at its start and
     cannot reach the end of j in time cannot reach j at all, from any time in i.
     """
+    of_type("instance", instance, Instance)
     rows = [_depot_row(instance, 0.0, 0.0)]
     for u, target in enumerate(instance.targets):
         rows += [(*segment, u) for segment in segments(target)]

@@ -2,11 +2,12 @@
 
 import dataclasses
 import json
+from collections.abc import Iterable
 
 import numpy as np
 
 from .jsonfile import check_header, read_json, require, write_json
-from .validation import InputError, array, positive, whole
+from .validation import InputError, array, brief, positive, whole
 
 FORMAT = "mamttsp-instance"
 VERSION = 1
@@ -61,6 +62,8 @@ class Instance:
     R: float | None = None
 
     def __post_init__(self):
+        if isinstance(self.targets, (str, dict)) or not isinstance(self.targets, Iterable):
+            raise InputError(f"targets: expected a list of Targets, found {brief(self.targets)}")
         object.__setattr__(self, "targets", tuple(self.targets))
         object.__setattr__(self, "depot", array("depot", self.depot, (2,)))
         for name in ("max_speed", "horizon"):

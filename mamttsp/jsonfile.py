@@ -5,11 +5,12 @@ import json
 import os
 from pathlib import Path
 
-from .validation import InputError
+from .validation import InputError, of_type
 
 
 def read_json(path, build):
     """Read the JSON file at `path` and return build(object); every InputError is prefixed with the path."""
+    of_type("path", path, (str, os.PathLike))
     try:
         text = Path(path).read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
@@ -28,7 +29,7 @@ def read_json(path, build):
 
 def write_json(data, path):
     """Write `data` as JSON to `path` through a temporary file, so that a failure leaves the old file as it was."""
-    path = Path(path)
+    path = Path(of_type("path", path, (str, os.PathLike)))
     temporary = path.with_name(f"{path.name}.{os.getpid()}.tmp")
     try:
         temporary.write_text(json.dumps(data, allow_nan=False) + "\n", encoding="utf-8")

@@ -10,7 +10,7 @@ from numbers import Real
 
 import numpy as np
 
-from .validation import InputError
+from .validation import InputError, brief
 
 
 @dataclasses.dataclass(frozen=True)
@@ -53,6 +53,8 @@ class Options:
         _number("gap", self.gap, 0.0)
         _whole("threads", self.threads, 1)
         _whole("seed", self.seed, 0)
+        if self.progress is not None and not callable(self.progress):
+            raise InputError(f"progress: expected a function of a Progress, found {brief(self.progress)}")
 
 
 class Clock:
@@ -112,9 +114,9 @@ class Watch(Clock):
 def _number(name, value, least, strict=False):
     good = isinstance(value, Real) and not isinstance(value, bool) and math.isfinite(value)
     if not good or value < least or (strict and value == least):
-        raise InputError(f"{name}: expected a number {'above' if strict else 'of at least'} {least:g}, found {value!r}")
+        raise InputError(f"{name}: expected a number {'above' if strict else 'of at least'} {least:g}, found {brief(value)}")
 
 
 def _whole(name, value, least):
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < least:
-        raise InputError(f"{name}: expected a whole number of at least {least}, found {value!r}")
+        raise InputError(f"{name}: expected a whole number of at least {least}, found {brief(value)}")

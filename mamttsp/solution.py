@@ -5,6 +5,7 @@ import json
 import math
 
 from .jsonfile import check_header, read_json, require, write_json
+from .solution_table import html_table, table
 from .tours import Tour
 from .validation import InputError, is_number
 
@@ -48,6 +49,13 @@ class Solution:
         An optimum of 0 is known to within 1e-8 of the instance's size; this ratio may then be 1, though all is proved.
         """
         return relative_gap(self.objective, self.bound)
+
+    def __str__(self):
+        """The table that the command line prints; targets and tours are numbered from 0."""
+        return table(self)
+
+    def _repr_html_(self):
+        return html_table(self)
 
     def to_dict(self):
         """Return the JSON object of the file format."""

@@ -6,11 +6,12 @@ from .backends import METHODS, Options, backend, choose
 from .cut_loop import solve_without_cycles
 from .formulations import build_formulation
 from .graph import build_graph
+from .instance import Instance
 from .options import Clock
 from .plain_model import paper_solution
 from .solution import Solution
 from .tours import check
-from .validation import InputError
+from .validation import InputError, brief, of_type
 
 #: our own solver, and the paper's formulations
 ALL_METHODS = ("exact", *METHODS)
@@ -44,11 +45,12 @@ def solve(
     A limit, or Ctrl-C, is a status and never an exception. InputError: a bad argument, or a solver that cannot be used
     here; FlowError: the solver's answer contradicts itself.
     """
+    of_type("instance", instance, Instance)
     options = Options(time_limit, gap, threads, seed, verbose, progress)
     if method == "exact":
         return _solve_exact(instance, options, modeler, solver, subtour_cuts)
     if method not in METHODS:
-        raise InputError(f"method: expected one of {', '.join(ALL_METHODS)}, found {method!r}")
+        raise InputError(f"method: expected one of {', '.join(ALL_METHODS)}, found {brief(method)}")
     modeler, solver = choose(method, modeler, solver, plain=not subtour_cuts)
     clock = Clock(time_limit)
     run = backend(solver).solve
@@ -62,7 +64,7 @@ def solve(
 def _solve_exact(instance, options, modeler, solver, subtour_cuts):
     for name, value in (("modeler", modeler), ("solver", solver)):
         if value is not None:
-            raise InputError(f'{name}: method "exact" has none, found {value!r}; {", ".join(METHODS)} have')
+            raise InputError(f'{name}: method "exact" has none, found {brief(value)}; {", ".join(METHODS)} have')
     if not subtour_cuts:
         raise InputError('subtour_cuts: False leaves out the cuts of a formulation, and method "exact" has none')
     from .exact import solve_exact

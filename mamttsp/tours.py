@@ -2,10 +2,13 @@
 formulation or a solver."""
 
 import dataclasses
+from collections.abc import Iterable
+from numbers import Integral, Real
 
 import numpy as np
 
-from .validation import InputError, is_number
+from .instance import Instance
+from .validation import InputError, brief, counted, is_number, of_type, positive
 
 #: default tolerance of `check`, relative to the instance's size (lengths) and horizon (times)
 TOLERANCE = 1e-6
@@ -64,14 +67,49 @@ def _finite(value):
     return float(value)
 
 
+def as_tours(tours):
+    """Return the tours of a Solution, or those in a sequence of Tour, as a tuple; InputError if it is neither."""
+    given = getattr(tours, "tours", tours)
+    if isinstance(given, (str, bytes, dict)) or not isinstance(given, Iterable):
+        raise InputError(f"tours: expected a Solution or a list of Tours, found {brief(tours)}")
+    given = tuple(given)
+    for k, tour in enumerate(given):
+        if not isinstance(tour, Tour) or not isinstance(tour.visits, (tuple, list)) or not _real(tour.return_time):
+            raise InputError(f"tours[{k}]: expected a Tour, its visits a tuple and return_time in s, found {brief(tour)}")
+        for i, visit in enumerate(tour.visits):
+            if not _is_visit(visit):
+                expected = "a Visit, its target a whole number, time in s and position (x, y)"
+                raise InputError(f"tours[{k}].visits[{i}]: expected {expected}, found {brief(visit)}")
+    return given
+
+
+def _is_visit(visit):
+    return (
+        isinstance(visit, Visit)
+        and isinstance(visit.target, Integral)
+        and _real(visit.time)
+        and isinstance(visit.position, (tuple, list, np.ndarray))
+        and len(visit.position) == 2
+        and all(map(_real, visit.position))
+    )
+
+
+def _real(value):
+    """Whether it is a number at all; that it is finite and right is for `check` to find out."""
+    return isinstance(value, Real) and not isinstance(value, bool)
+
+
 def check(instance, tours, tolerance=TOLERANCE):
     """Return the total length of the tours, or raise TourError with a line for every violation.
+
+    tours: a Solution, or a sequence of Tour; InputError if it is neither, or the instance is none.
 
     Independent of every formulation and solver: each target exactly once, inside one of its windows, on its path;
     no hop faster than max_speed; back by the horizon; at most n_agents tours. Lengths may be off by
     `tolerance` x the instance's size (the diagonal of depot and paths), times by `tolerance` x the horizon.
     """
-    slack = tolerance * instance.horizon
+    of_type("instance", instance, Instance)
+    tours, slack = as_tours(tours), positive("tolerance", tolerance) * instance.horizon
     faults = _count_faults(instance, tours)
     total = 0.0
     for k, tour in enumerate(tours):
@@ -93,7 +131,7 @@ def check(instance, tours, tolerance=TOLERANCE):
 def _count_faults(instance, tours):
     faults = []
     if len(tours) > instance.n_agents:
-        faults.append(f"{len(tours)} tours for {instance.n_agents} agents")
+        faults.append(f"{counted(len(tours), 'tour')} for {counted(instance.n_agents, 'agent')}")
     visited = [visit.target for tour in tours for visit in tour.visits]
     for u in range(instance.n_targets):
         if (times := visited.count(u)) != 1:

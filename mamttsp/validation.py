@@ -10,6 +10,26 @@ class InputError(ValueError):
     """Bad input from a person: one line that names the field, what is wrong and what would be right."""
 
 
+def of_type(name, value, kind):
+    """Return `value` if it is of the type `kind`, or of one of several, or raise InputError."""
+    if not isinstance(value, kind):
+        kinds = kind if isinstance(kind, tuple) else (kind,)
+        expected = " or ".join(one.__name__ for one in kinds)
+        raise InputError(f"{name}: expected {expected}, found {type(value).__name__} {brief(value)}")
+    return value
+
+
+def brief(value):
+    """Return a value as it is written in code, on one line and not too long."""
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 60 else f"{text[:57]}..."
+
+
+def counted(count, noun):
+    """Return a number with its noun: "1 agent", "2 agents"."""
+    return f"{count} {noun}" + "s" * (count != 1)
+
+
 def array(name, value, shape):
     """Return `value` as a read-only float array of the shape (-1: any length), or raise InputError."""
     wanted = "x".join("K" if size < 0 else str(size) for size in shape)
@@ -39,12 +59,12 @@ def is_number(value):
 def positive(name, value):
     """Return `value` as a float above 0, or raise InputError."""
     if not is_number(value) or value <= 0:
-        raise InputError(f"{name}: expected a finite number above 0, found {value!r}")
+        raise InputError(f"{name}: expected a finite number above 0, found {brief(value)}")
     return float(value)
 
 
 def whole(name, value, least):
     """Return `value` as an int of at least `least`, or raise InputError."""
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < least:
-        raise InputError(f"{name}: expected a whole number of at least {least}, found {value!r}")
+        raise InputError(f"{name}: expected a whole number of at least {least}, found {brief(value)}")
     return int(value)

@@ -1,11 +1,13 @@
 """Solution: its gap, its file, and files that are not one."""
 
+import dataclasses
 import json
 import math
+import re
 
 import pytest
 
-from mamttsp import InputError, Solution, Tour, Visit
+from mamttsp import InputError, PaperSolution, Solution, Tour, Visit
 from mamttsp.solution import STATUSES, known_length, relative_gap
 
 SOLUTION = Solution(
@@ -89,3 +91,24 @@ def test_what_solvers_use_for_no_value_is_none(unknown):
 
 def test_a_length_is_never_below_zero():
     assert known_length(-1e-9) == 0.0 and known_length(3) == 3.0
+
+
+def test_a_solution_prints_as_a_table():
+    lines = str(SOLUTION).splitlines()
+    assert lines[0].split() == ["status", "feasible"] and lines[5].split() == ["gap", "18.8259", "%"]
+    assert lines[-2:] == ["tour 0        target 0 at 12.50 s; back at 40.00 s", "tour 1        stays at the depot"]
+
+
+def test_a_notebook_shows_the_same_rows():
+    html = SOLUTION._repr_html_()
+    rows = re.findall("<tr><th>(.*?)</th><td>(.*?)</td></tr>", html)
+    assert [f"{name:<13} {value}" for name, value in rows] == str(SOLUTION).splitlines()
+
+
+def test_html_in_a_name_is_text():
+    assert "&lt;b&gt;" in dataclasses.replace(SOLUTION, solver="<b>")._repr_html_()
+
+
+def test_the_cycles_of_a_plain_model_are_in_its_table():
+    claim = PaperSolution("optimal", 20.0, 20.0, 1.0, (), "micp", "scip", paths=((0,),), cycles=((1, 2),))
+    assert str(claim).splitlines()[-1] == "cycle         targets 1, 2, flown by nobody"

@@ -5,7 +5,7 @@ import dataclasses
 import pytest
 from examples import instance, moving, still
 
-from mamttsp import InputError, Tour, TourError, Visit, check
+from mamttsp import InputError, Solution, Tour, TourError, Visit, check
 from mamttsp.tours import TOLERANCE
 
 CHECKED = instance(
@@ -129,3 +129,47 @@ def test_a_tour_survives_its_json():
 def test_a_bad_tour_in_a_file_is_named(data, field):
     with pytest.raises(InputError, match=f"^{field}: expected"):
         Tour.from_dict(data)
+
+
+# --- What a person may give ------------------------------------------------------------------------------------------
+
+
+def test_a_solution_is_checked_as_its_tours_are():
+    solution = Solution("feasible", 1.0, None, 1.0, tuple(_good()), "exact", "none")
+    assert check(CHECKED, solution) == check(CHECKED, _good())
+
+
+@pytest.mark.parametrize(
+    "tours, message",
+    [
+        (3, "tours: expected a Solution or a list of Tours, found 3"),
+        (None, "tours: expected a Solution or a list of Tours, found None"),
+        ("tours.json", "tours: expected a Solution or a list of Tours, found 'tours.json'"),
+        ({}, "tours: expected a Solution or a list of Tours, found {}"),
+        (_good()[0], "tours: expected a Solution or a list of Tours, found Tour"),
+        ([{}], "tours[0]: expected a Tour"),
+        ([Tour(3, 1.0)], "tours[0]: expected a Tour"),
+        ([Tour((), "soon")], "tours[0]: expected a Tour"),
+        ([Tour((), 0.0), Tour((7,), 1.0)], "tours[1].visits[0]: expected a Visit"),
+        ([Tour((Visit("0", 1.0, (0.0, 0.0)),), 1.0)], "tours[0].visits[0]: expected a Visit"),
+        ([Tour((Visit(0, None, (0.0, 0.0)),), 1.0)], "tours[0].visits[0]: expected a Visit"),
+        ([Tour((Visit(0, 1.0, 3),), 1.0)], "tours[0].visits[0]: expected a Visit"),
+        ([Tour((Visit(0, 1.0, (1.0, 2.0, 3.0)),), 1.0)], "tours[0].visits[0]: expected a Visit"),
+        ([Tour((Visit(0, 1.0, ("a", "b")),), 1.0)], "tours[0].visits[0]: expected a Visit"),
+    ],
+)
+def test_what_is_no_tours_is_named_in_one_line(tours, message):
+    with pytest.raises(InputError) as caught:
+        check(CHECKED, tours)
+    assert str(caught.value).startswith(message) and "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("given", [{"instance": {}}, {"tolerance": "small"}, {"tolerance": 0}])
+def test_another_wrong_type_is_named_in_one_line(given):
+    with pytest.raises(InputError, match=f"^{next(iter(given))}: expected"):
+        check(**{"instance": CHECKED, "tours": _good()} | given)
+
+
+def test_one_agent_is_one_agent():
+    with pytest.raises(TourError, match="^2 tours for 1 agent$"):
+        check(CHECKED.with_agents(1), _good())

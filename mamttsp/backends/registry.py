@@ -1,7 +1,7 @@
 """Which back end solves which formulation of which modeler, and which one is taken when nobody says."""
 
 from ..formulations import METHODS, MODELERS
-from ..validation import InputError
+from ..validation import InputError, brief
 
 _CONIC = ("baseline", "micp")
 
@@ -46,4 +46,4 @@ def choose(method, modeler=None, solver=None, plain=False):
 
 def _check_known(name, value, known):
     if value not in known:
-        raise InputError(f"{name}: expected one of {', '.join(filter(None, known))}, found {value!r}")
+        raise InputError(f"{name}: expected one of {', '.join(filter(None, known))}, found {brief(value)}")

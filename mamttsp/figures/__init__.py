@@ -1,4 +1,10 @@
-"""Drawings. Each takes `ax=None`, draws on it or on a figure of its own, and returns the axes."""
+"""Drawings. Each takes `ax=None`, draws on it or on a figure of its own, and returns the axes.
+
+>>> import mamttsp
+>>> ax = mamttsp.figures.space_time_view(mamttsp.generate(n_targets=3, total_window=20, seed=1))
+>>> ax.get_zlabel()
+'time (s)'
+"""
 
 from .animation import film, moment_view
 from .exact_search import alive_view, ascent_view, layers_view
@@ -8,6 +14,7 @@ from .ideas import charge_view, descent_view, perspective_view, sizes_view
 from .plan import plan_view, space_time_view
 from .priced_times import errors_view, relaxed_view, tangents_view, tilt_view
 from .profiles import cactus_view, profile_view
+from .recording import Film
 from .relaxed_bounds import flow_view, growth_view, relaxation_view
 from .runtimes import panels_view, runtime_gap_view
 from .sliders import explore
@@ -17,6 +24,7 @@ from .validity import cycle_view, leak_view
 
 __all__ = [
     "COLOURS",
+    "Film",
     "LINES",
     "MARKERS",
     "alive_view",

@@ -1,7 +1,6 @@
 """Tours in motion: the plane at one moment, and a film of such moments that plays in a page without a kernel."""
 
 import base64
-import dataclasses
 import hashlib
 import io
 import re
@@ -11,7 +10,11 @@ import numpy as np
 from matplotlib.animation import FuncAnimation
 from PIL import Image
 
+from ..instance import Instance
+from ..tours import as_tours
+from ..validation import counted, of_type, positive
 from .plan import target_parts
+from .recording import PER_SECOND, Film, few_colours
 from .style import COLOURS, DEPOT, MARKERS, PATH, WINDOW
 
 #: matplotlib's player takes its buttons' pictures from the network; these signs need none, and are in most fonts
@@ -19,22 +22,14 @@ _SIGNS = {"minus": "−", "plus": "+", "pause": "||", "play": "▶", "play fa-fl
 _SIGNS |= {"fast-backward": "|◀", "step-backward": "◀|", "step-forward": "|▶", "fast-forward": "▶|"}
 
 
-@dataclasses.dataclass(frozen=True)
-class Film:
-    """A page of HTML with a film and its player: a notebook shows it, and it can be written to a file."""
-
-    html: str = dataclasses.field(repr=False)
-
-    def _repr_html_(self):
-        return self.html
-
-
 def moment_view(instance, tours, time, ax=None):
     """Draw the plane at `time` in s: targets, agents and what these have flown so far; return the axes.
 
     A target is a dot on its grey path: filled while one of its windows is open, hollow before and after, gone once it
     is visited. Thick and yellow are the parts of the path in open windows. Agents move at constant speed on each leg.
+    tours: a Solution, or a sequence of Tour. InputError: not an Instance, or no tours.
     """
+    tours = as_tours(tours)
     ax = ax or plt.figure(figsize=(6, 5.4), dpi=72, layout="constrained").add_subplot()
     visited = {visit.target for tour in tours for visit in tour.visits if visit.time <= time}
     for u, path, in_windows in target_parts(instance):
@@ -47,13 +42,13 @@ def moment_view(instance, tours, time, ax=None):
         flown = np.vstack([stops[times < time], _between(times, stops, time)])
         ax.plot(*flown.T, color=COLOURS[k % len(COLOURS)], linewidth=1.8, zorder=4)
         style = {"marker": MARKERS[k % len(MARKERS)], "color": COLOURS[k % len(COLOURS)], "linestyle": "none"}
-        ax.plot(*flown[-1:].T, markersize=9, zorder=7, label=f"agent {k + 1}", **style)
+        ax.plot(*flown[-1:].T, markersize=9, zorder=7, label=f"tour {k}", **style)
     ax.plot(*instance.depot, **DEPOT)
     corners = np.vstack([instance.depot, *(target.points for target in instance.targets)])
     margin = 0.04 * instance.size
     low, high = corners.min(axis=0) - margin, corners.max(axis=0) + margin
     ax.set(xlabel="x (units)", ylabel="y (units)", xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
-    ax.set_title(f"{time:.0f} s: {len(visited)} of {instance.n_targets} targets visited")
+    ax.set_title(f"{time:.0f} s: {len(visited)} of {counted(instance.n_targets, 'target')} visited")
     return ax
 
 
@@ -61,8 +56,11 @@ def film(instance, tours, step=3.0):
     """Return a Film of the tours: moments `step` seconds apart, from the start until the last agent is back.
 
     It plays without a kernel and without the network; where scripts are off, its first picture stands there. The same
-    tours give the same bytes.
+    tours give the same bytes. tours: a Solution, or a sequence of Tour. InputError: not an Instance, no tours, or a
+    step that is not above 0.
     """
+    of_type("instance", instance, Instance)
+    tours, step = as_tours(tours), positive("step", step)
     last = max((tour.return_time for tour in tours), default=0.0)
     ax = plt.figure(figsize=(6, 5.4), dpi=72).add_subplot()
 
@@ -71,9 +69,11 @@ def film(instance, tours, step=3.0):
         moment_view(instance, tours, time, ax)
 
     moments = step * np.arange(np.ceil(last / step) + 1)
-    page = FuncAnimation(ax.figure, draw, moments, init_func=lambda: None).to_jshtml(fps=8, default_mode="once")
+    page = FuncAnimation(ax.figure, draw, moments, init_func=lambda: None).to_jshtml(fps=PER_SECOND, default_mode="once")
     plt.close(ax.figure)
-    return Film(_self_contained(page))
+    page = page.replace("\\\n", "")  # pictures come in lines of 76 characters
+    frames = re.findall(r'frames\[\d+\] = "data:image/png;base64,([^"]*)"', page)
+    return Film(_self_contained(page), tuple(map(base64.b64decode, frames)))
 
 
 def _draw_target(ax, u, place, open_windows):
@@ -97,8 +97,8 @@ def _between(times, stops, time):
 
 def _self_contained(page):
     """Return the player's page without random names and foreign files, with its first picture in its place."""
-    page = re.sub(r"<link[^>]*>", "", page.replace("\\\n", ""))  # pictures come in lines of 76 characters
-    page = re.sub(r"(?<=data:image/png;base64,)[^\"]*", lambda found: _few_colours(found[0]), page)
+    page = re.sub(r"<link[^>]*>", "", page)
+    page = re.sub(r"(?<=data:image/png;base64,)[^\"]*", lambda found: _small(found[0]), page)
     page = re.sub(r'<i class="fa fa-([^"]*)"></i>', lambda found: _SIGNS[found[1]], page)
     random_name = re.search(r"_anim_img(\w+)", page)[1]
     page = page.replace(random_name, hashlib.sha256(page.replace(random_name, "").encode()).hexdigest()[:12])
@@ -108,9 +108,8 @@ def _self_contained(page):
     return page.replace("<img ", start, 1)
 
 
-def _few_colours(picture):
-    """Return a PNG picture (base64) with 64 colours instead of millions, which takes a third of the room."""
+def _small(picture):
+    """Return a PNG picture (base64) with few colours, which takes a third of the room."""
     small = io.BytesIO()
-    full = Image.open(io.BytesIO(base64.b64decode(picture)))
-    full.convert("RGB").quantize(64, dither=Image.Dither.NONE).save(small, "png", optimize=True)
+    few_colours(Image.open(io.BytesIO(base64.b64decode(picture)))).save(small, "png", optimize=True)
     return base64.b64encode(small.getvalue()).decode()

@@ -21,10 +21,7 @@ def relaxed_view(instance, graph, route, arrive, leave, ax=None):
     for k, (p, q) in enumerate(zip(made, left)):
         bar = {"color": COLOURS[1], "linewidth": 3.0, "solid_capstyle": "butt", "zorder": 5}
         ax.plot(*np.c_[p, q], **bar, **once(k, "jump of a visit"))
-    handles, labels = ax.get_legend_handles_labels()
-    shown = [k for k, label in enumerate(labels) if not label.startswith("agent")]
-    place = {"loc": "upper left", "bbox_to_anchor": (1.02, 1.0), "borderaxespad": 0.0, "frameon": False}
-    ax.legend([handles[k] for k in shown], [labels[k] for k in shown], **place)
+    ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0.0, frameon=False)
     return ax
 
 

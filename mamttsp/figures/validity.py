@@ -4,6 +4,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.text import OffsetFrom
 
+from ..tours import as_tours
 from .plan import target_parts
 from .style import COLOURS, DEPOT, LINES, MARKERS, PATH, WINDOW, once
 
@@ -11,7 +12,7 @@ from .style import COLOURS, DEPOT, LINES, MARKERS, PATH, WINDOW, once
 def cycle_view(instance, tours=(), cycles=(), ax=None):
     """Draw x against time, for targets, tours, and cycles that miss the depot, and return the axes.
 
-    tours: list of Tour; cycles: sequences of Visit, each drawn as a loop around the place and time of its first visit.
+    tours: a Solution, or a sequence of Tour; cycles: sequences of Visit, each drawn as a loop around the place and time of its first visit.
     """
     ax = ax or plt.figure(figsize=(8, 5), layout="constrained").add_subplot()
     for target, path, in_windows in target_parts(instance):
@@ -19,11 +20,11 @@ def cycle_view(instance, tours=(), cycles=(), ax=None):
         ax.annotate(str(target), path[0, [0, 2]], xytext=(0, -9), textcoords="offset points", ha="center", va="top")
         for w, window in enumerate(in_windows):
             ax.plot(*window[:, [0, 2]].T, **WINDOW, **once(target + w, "time window"))
-    for k, tour in enumerate(tours):
+    for k, tour in enumerate(as_tours(tours)):
         stops = [(instance.depot[0], 0.0), *((visit.position[0], visit.time) for visit in tour.visits)]
         stops.append((instance.depot[0], tour.return_time))
         style = {"color": COLOURS[k % len(COLOURS)], "linestyle": LINES[k % len(LINES)], "marker": MARKERS[0]}
-        ax.plot(*np.transpose(stops), **style, zorder=4, label=f"tour of agent {k + 1}")
+        ax.plot(*np.transpose(stops), **style, zorder=4, label=f"tour {k}")
     for k, cycle in enumerate(cycles):
         _draw_loop(ax, cycle[0].position[0], cycle[0].time, once(k, "cycle that nobody flies"))
     ax.plot(instance.depot[0], 0.0, **DEPOT, label="depot")

@@ -13,7 +13,7 @@ import pyomo.environ as pyo
 from ..flow import read_flow
 from ..timing import to_tour
 from ..tours import Visit
-from ..validation import InputError
+from ..validation import InputError, counted
 
 
 def assign(formulation, tours, cycles=()):
@@ -52,7 +52,7 @@ class _Flown:
 
 def _fly(graph, n_agents, tours, cycles):
     if len(tours) > n_agents:
-        raise InputError(f"tours: {len(tours)} tours for {n_agents} agents")
+        raise InputError(f"tours: {counted(len(tours), 'tour')} for {counted(n_agents, 'agent')}")
     edge_number = {tuple(edge): e for e, edge in enumerate(graph.edges.tolist())}
     y = np.zeros((len(graph.edges), n_agents))
     # A node that the agent does not visit takes the start of its interval: inside (6), and big-M frees all the rest.

@@ -90,7 +90,7 @@ def _words(figure):
 
 def test_figure_1_has_three_agents_and_one_is_idle(drawn):
     legend = [text.get_text() for text in drawn["paper-fig-1"].axes[0].get_legend().get_texts()]
-    assert [label for label in legend if "agent" in label] == ["agent 1", "agent 2", "agent 3 (idle)"]
+    assert [label for label in legend if "tour" in label or "agent" in label] == ["tour 0", "tour 1", "1 idle agent"]
 
 
 @pytest.mark.parametrize("number, n_panels", [(2, 3), (3, 4)])
@@ -192,4 +192,4 @@ def test_no_folder_for_the_figures(folder, capsys):
 def test_a_figure_that_cannot_be_written(folder, capsys):
     (folder / "out" / "paper-fig-2-published.pdf").mkdir()
     assert _command(folder) == 2
-    assert "paper-fig-2-published: cannot be written: Is a directory" in _one_line(capsys)
+    assert "paper-fig-2-published.pdf: cannot be written: Is a directory" in _one_line(capsys)

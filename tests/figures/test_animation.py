@@ -3,13 +3,14 @@
 import base64
 import io
 import re
+import shutil
 
 import matplotlib.pyplot as plt
 import pytest
 from examples import instance, moving, still
 from PIL import Image
 
-from mamttsp import Tour, Visit
+from mamttsp import InputError, Solution, Tour, Visit
 from mamttsp.figures import COLOURS, film, moment_view
 
 INSTANCE = instance(moving((10, 0), (0, 0.2), [(5, 15), (30, 50)]), still(0, 20, [(0, 60)]), n_agents=2)
@@ -23,8 +24,13 @@ def close_figures():
 
 
 @pytest.fixture(scope="module")
-def page():
-    return film(INSTANCE, TOURS, step=14.0)._repr_html_()
+def page(short_film):
+    return short_film._repr_html_()
+
+
+@pytest.fixture(scope="module")
+def short_film():
+    return film(INSTANCE, TOURS, step=14.0)
 
 
 def _line(ax, **wanted):
@@ -38,12 +44,12 @@ def _line(ax, **wanted):
 def test_an_agent_has_flown_part_of_its_tour():
     ax = moment_view(INSTANCE, TOURS, 15.0)
     assert _line(ax, color=COLOURS[0], linestyle="-") == [[[0, 0], [10, 2], [5, 11]]]
-    assert _line(ax, label="agent 1") == [[[5, 11]]]
+    assert _line(ax, label="tour 0") == [[[5, 11]]]
     assert ax.get_title() == "15 s: 1 of 2 targets visited"
 
 
 def test_an_agent_that_is_back_stays_at_the_depot():
-    assert _line(moment_view(INSTANCE, TOURS, 90.0), label="agent 1") == [[[0, 0]]]
+    assert _line(moment_view(INSTANCE, TOURS, 90.0), label="tour 0") == [[[0, 0]]]
 
 
 @pytest.mark.parametrize("time, filled", [(3.0, False), (8.0, True), (20.0, False), (40.0, True)])
@@ -91,3 +97,80 @@ def test_a_film_of_nobody_is_one_picture():
     page = film(INSTANCE, []).html
     assert len(re.findall(r"frames\[\d+\] =", page)) == 1
     assert plt.get_fignums() == []
+
+
+def test_a_solution_is_filmed_as_its_tours_are(page):
+    solution = Solution("feasible", 50.0, None, 1.0, tuple(TOURS), "exact", "none")
+    assert film(INSTANCE, solution, step=14.0).html == page
+
+
+@pytest.mark.parametrize(
+    "instance, tours, step, message",
+    [({}, TOURS, 3, "instance: expected"), (INSTANCE, 3, 3, "tours: expected"), (INSTANCE, TOURS, 0, "step: expected")],
+)
+def test_what_cannot_be_filmed_is_refused_in_one_line(instance, tours, step, message):
+    with pytest.raises(InputError, match=message):
+        film(instance, tours, step)
+
+
+def test_a_gif_has_every_picture_and_goes_round(short_film, tmp_path):
+    short_film.save(tmp_path / "tours.gif")
+    with Image.open(tmp_path / "tours.gif") as gif:
+        assert (gif.format, gif.n_frames, gif.size, gif.info["loop"]) == ("GIF", 4, (432, 388), 0)
+        assert gif.info["duration"] in (120, 125)  # GIF counts hundredths
+        shown = []
+        for k in range(gif.n_frames):
+            gif.seek(k)
+            shown.append(gif.convert("RGB").tobytes())
+    assert len(set(shown)) == 4 and gif.info["duration"] == 2000
+
+
+def test_the_page_is_a_file_too(short_film, page, tmp_path):
+    short_film.save(tmp_path / "tours.html")
+    assert (tmp_path / "tours.html").read_text(encoding="utf-8") == page
+
+
+@pytest.fixture
+def stand_in(tmp_path, monkeypatch):
+    """A program ffmpeg that writes what it is given; made by hand, so that the test runs where ffmpeg is not."""
+
+    def write(script):
+        (tmp_path / "bin").mkdir()
+        program = tmp_path / "bin" / "ffmpeg"
+        program.write_text(f"#!/bin/sh\n{script}\n")
+        program.chmod(0o755)
+        monkeypatch.setenv("PATH", f"{program.parent}:/usr/bin:/bin")
+
+    return write
+
+
+def test_mp4_is_made_by_ffmpeg_of_all_pictures(short_film, stand_in, tmp_path):
+    stand_in(f'echo "$@" > {tmp_path}/arguments; cat > {tmp_path}/pictures')
+    short_film.save(tmp_path / "tours.mp4")
+    arguments = (tmp_path / "arguments").read_text().split()
+    assert arguments[-1] == str(tmp_path / "tours.mp4") and "yuv420p" in arguments
+    assert (tmp_path / "pictures").read_bytes().count(b"\x89PNG") == 4
+
+
+def test_why_ffmpeg_failed_is_one_line(short_film, stand_in, tmp_path):
+    stand_in("cat > /dev/null; echo 'no room' >&2; echo 'left' >&2; exit 1")
+    with pytest.raises(InputError, match="tours.mp4: ffmpeg failed: no room left"):
+        short_film.save(tmp_path / "tours.mp4")
+
+
+def test_without_ffmpeg_mp4_is_refused(short_film, monkeypatch, tmp_path):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(InputError, match=r"tours.mp4: .mp4 needs the program ffmpeg"):
+        short_film.save(tmp_path / "tours.mp4")
+
+
+@pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="the program ffmpeg is not installed")
+def test_ffmpeg_makes_a_film_that_it_can_read(short_film, tmp_path):
+    short_film.save(tmp_path / "tours.mp4")
+    assert (tmp_path / "tours.mp4").read_bytes()[4:8] == b"ftyp"
+
+
+@pytest.mark.parametrize("name, message", [("tours.avi", "a film is saved as"), ("no/folder/tours.gif", "cannot be written")])
+def test_a_film_that_cannot_be_saved_is_refused_in_one_line(name, message, short_film, tmp_path):
+    with pytest.raises(InputError, match=f"{name}: {message}"):
+        short_film.save(tmp_path / name)

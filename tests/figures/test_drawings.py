@@ -6,7 +6,7 @@ import pytest
 from examples import instance, moving, still
 from matplotlib.colors import to_hex
 
-from mamttsp import Tour, Visit, build_graph
+from mamttsp import InputError, Solution, Tour, Visit, build_graph
 from mamttsp.figures import (
     COLOURS,
     LINES,
@@ -45,13 +45,33 @@ def _lines(ax, colour):
 
 @pytest.mark.parametrize("view", VIEWS)
 def test_the_legend_names_everything_once_and_idle_agents_too(view):
-    expected = ["target's path", "time window", "agent 1", "agent 2 (idle)", "agent 3 (idle)", "depot"]
+    expected = ["target's path", "time window", "tour 0", "depot", "2 idle agents"]
     assert _legend(view(INSTANCE, TOURS)) == expected
 
 
 @pytest.mark.parametrize("view", VIEWS)
 def test_an_empty_tour_is_an_idle_agent(view):
-    assert "agent 2 (idle)" in _legend(view(INSTANCE, [*TOURS, Tour((), 0.0)]))
+    assert _legend(view(INSTANCE.with_agents(2), [Tour((), 0.0), *TOURS]))[2:] == ["tour 1", "depot", "1 idle agent"]
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_a_solution_is_drawn_as_its_tours_are(view):
+    solution = Solution("feasible", 50.0, None, 1.0, tuple(TOURS), "exact", "none")
+    drawn, expected = (_lines(view(INSTANCE, tours), COLOURS[0]) for tours in (solution, TOURS))
+    assert [line.tolist() for line in drawn] == [line.tolist() for line in expected] != []
+
+
+@pytest.mark.parametrize("view", VIEWS)
+@pytest.mark.parametrize("tours", [3, "tours", TOURS[0], [3], {}, [Tour((3,), 1.0)]])
+def test_what_is_no_tours_is_refused_in_one_line(view, tours):
+    with pytest.raises(InputError, match=r"^tours.*: expected a .*found [^\n]*\Z"):
+        view(INSTANCE, tours)
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_what_is_no_instance_is_refused_in_one_line(view):
+    with pytest.raises(InputError, match=r"^instance: expected Instance, found dict \{\}\Z"):
+        view({})
 
 
 @pytest.mark.parametrize("view, projection", [(plan_view, None), (space_time_view, "3d")])
@@ -84,7 +104,7 @@ def test_a_window_across_a_bend_follows_the_path():
 
 @pytest.mark.parametrize("view", VIEWS)
 def test_an_instance_without_tours_can_be_drawn(view):
-    assert _legend(view(INSTANCE))[2:5] == ["agent 1 (idle)", "agent 2 (idle)", "agent 3 (idle)"]
+    assert _legend(view(INSTANCE)) == ["target's path", "time window", "depot"]
 
 
 def test_labels_of_visits_at_one_place_do_not_cover_each_other():
@@ -106,6 +126,26 @@ def test_a_saved_drawing_is_the_same_each_time(view, tmp_path):
     for kind, start in (("pdf", b"%PDF"), ("png", b"\x89PNG")):
         first, second = ((tmp_path / f"{name}.{kind}").read_bytes() for name in ("one", "two"))
         assert first == second and first.startswith(start) and len(first) > 5000
+
+
+@pytest.mark.parametrize("suffix, start", [("pdf", b"%PDF"), ("png", b"\x89PNG"), ("svg", b"<?xml"), ("JPG", b"\xff\xd8")])
+def test_a_drawing_is_saved_in_the_format_of_its_suffix_and_the_same_each_time(suffix, start, tmp_path):
+    for name in ("one", "two"):
+        save(plan_view(INSTANCE, TOURS), tmp_path / f"{name}.{suffix}")
+    assert sorted(path.name for path in tmp_path.iterdir()) == [f"one.{suffix}", f"two.{suffix}"]
+    first, second = ((tmp_path / f"{name}.{suffix}").read_bytes() for name in ("one", "two"))
+    assert first == second and first.startswith(start)
+
+
+@pytest.mark.parametrize("name, message", [("plan.doc", "expected one of .pdf"), ("no/folder/plan.png", "cannot be written")])
+def test_a_file_that_cannot_be_is_named(name, message, tmp_path):
+    with pytest.raises(InputError, match=rf"{name}: {message}"):
+        save(plan_view(INSTANCE), tmp_path / name)
+
+
+def test_what_is_no_axes_is_not_saved(tmp_path):
+    with pytest.raises(InputError, match="ax: expected Axes, found NoneType None"):
+        save(None, tmp_path / "plan")
 
 
 def test_the_charge_of_an_edge_is_free_until_big_m_lets_go():

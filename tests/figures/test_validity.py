@@ -25,7 +25,7 @@ def lines(ax):
 def test_a_cycle_is_a_loop_where_the_targets_meet():
     ax = cycle_view(passing(), [HOME], [CYCLE])
     drawn = lines(ax)
-    assert drawn["tour of agent 1"].tolist() == [[0, 0], [10, 2.5], [0, 5]]
+    assert drawn["tour 0"].tolist() == [[0, 0], [10, 2.5], [0, 5]]
     assert drawn["cycle that nobody flies"].tolist() == [[60, 50]]
     assert sum(getattr(text, "arrow_patch", None) is not None for text in ax.texts) == 2
     assert [text.get_text() for text in ax.texts if text.get_text()] == ["0", "1", "2"]

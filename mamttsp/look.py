@@ -1,0 +1,56 @@
+"""Looking at an answer: its visits as a table to compute with, and the plan as a picture."""
+
+import numpy as np
+
+from .instance import Instance
+from .tours import as_tours
+from .validation import of_type
+
+_COLUMNS = ("tour", "order", "target", "time", "x", "y", "leg_length", "waited")
+
+
+def visits(instance, solution):
+    """Return a pandas DataFrame with a row for each visit, tour by tour in order.
+
+    solution: a Solution, or tours. tour, order, target: numbers from 0, order along the tour; time: s; x, y: where, in
+    units; leg_length: units flown from the depot or the visit before; waited: s by which the leg took longer than at
+    full speed. The way home is no row: it ends at the tour's return_time. InputError: not an Instance, or no tours.
+
+    >>> import mamttsp
+    >>> parked = mamttsp.Target(times=[0, 10], points=[[3, 4], [3, 4]], windows=[[2, 8]])
+    >>> instance = mamttsp.Instance([parked], n_agents=1, depot=(0, 0), max_speed=4, horizon=10)
+    >>> tour = mamttsp.Tour((mamttsp.Visit(0, 2.5, (3.0, 4.0)),), return_time=4.0)
+    >>> print(mamttsp.visits(instance, [tour]))
+       tour  order  target  time    x    y  leg_length  waited
+    0     0      0       0   2.5  3.0  4.0         5.0    1.25
+    """
+    import pandas  # here: reading and solving instances does not need it
+
+    of_type("instance", instance, Instance)
+    return pandas.DataFrame(list(_rows(instance, as_tours(solution))), columns=_COLUMNS)
+
+
+def plot(instance, solution=None, ax=None):
+    """Draw an instance from above, with the tours of a solution if there is one, and return the axes.
+
+    solution: a Solution, or tours. `mamttsp.figures` has more drawings, and `figures.save` to write one to a file.
+    InputError: not an Instance, or no tours.
+
+    >>> import mamttsp
+    >>> ax = mamttsp.plot(mamttsp.generate(n_targets=3, total_window=20, seed=1))
+    >>> ax.get_xlabel()
+    'x (units)'
+    """
+    from .figures import plan_view  # here: matplotlib takes its time
+
+    return plan_view(instance, () if solution is None else solution, ax=ax)
+
+
+def _rows(instance, tours):
+    for k, tour in enumerate(tours):
+        place, time = instance.depot, 0.0
+        for order, visit in enumerate(tour.visits):
+            length = float(np.linalg.norm(np.subtract(visit.position, place)))
+            waited = visit.time - time - length / instance.max_speed
+            yield k, order, visit.target, visit.time, *visit.position, length, max(waited, 0.0)
+            place, time = visit.position, visit.time
