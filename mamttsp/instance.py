@@ -7,6 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from .jsonfile import check_header, read_json, require, write_json
+from .paths import frame_paths, linear_paths, parked_path
 from .validation import InputError, array, brief, positive, whole
 
 FORMAT = "mamttsp-instance"
@@ -31,6 +32,17 @@ class Target:
             object.__setattr__(self, name, array(name, getattr(self, name), shape))
         _check_path(self.times, self.points)
         _check_windows(self.times, self.windows)
+
+    @classmethod
+    def parked(cls, point, windows):
+        """Return a target that stays at `point`, (2,) in units. windows: (W, 2) in s, or a single (start, end).
+
+        >>> from mamttsp import Target
+        >>> target = Target.parked((3, 4), windows=(2, 8))
+        >>> target.position(5).tolist(), target.windows.tolist()
+        ([3.0, 4.0], [[2.0, 8.0]])
+        """
+        return cls(**parked_path(point, windows))
 
     def position(self, t):
         """Return the position (2,) at time t, or (len(t), 2) for an array of times."""
@@ -104,6 +116,46 @@ class Instance:
             **({} if self.R is None else {"R": self.R}),
             "targets": [target.to_dict() for target in self.targets],
         }
+
+    @classmethod
+    def from_arrays(cls, p, v, windows, horizon, **fleet):
+        """Build an instance of targets that move straight, at constant velocity, from arrays.
+
+        p: (n, 2) positions at time 0 in units; v: (n, 2) velocities in units/s; windows: (n, 2) pairs (start, end) in
+        s, or for several windows each (n, W, 2), or a list of such lists; horizon: T in s; fleet: the other arguments
+        of Instance. InputError: arrays that do not fit together, or what Target and Instance refuse.
+
+        >>> from mamttsp import Instance
+        >>> p, v, windows = [[30, 0], [-20, 10]], [[0, 0.5], [0.2, 0]], [(10, 30), (40, 60)]
+        >>> instance = Instance.from_arrays(p, v, windows, horizon=100, n_agents=1, depot=(0, 0), max_speed=4)
+        >>> instance.targets[0].position(20).tolist()
+        [30.0, 10.0]
+        """
+        targets = [_target_from(entry, name) for name, entry in linear_paths(p, v, windows, horizon)]
+        return cls(targets, horizon=horizon, **fleet)
+
+    @classmethod
+    def from_frames(cls, breakpoints, windows, horizon, **fleet):
+        """Build an instance from two pandas DataFrames.
+
+        breakpoints: columns target, time (s), x, y (units), a row for each bend of a path, its ends included; a target
+        with one row is parked there. windows: columns target, start, end (s), a row each. Rows may be in any order.
+        Targets may have any names; they are numbered from 0 in the order in which breakpoints first names them.
+        horizon: T in s; fleet: the other arguments of Instance. InputError: a missing column, a target in one frame
+        only, or what Target and Instance refuse.
+
+        >>> import pandas
+        >>> from mamttsp import Instance
+        >>> breakpoints = pandas.DataFrame(
+        ...     [["tanker", 0, 30, 0], ["tanker", 60, 30, 30], ["buoy", 0, -20, 10]], columns=["target", "time", "x", "y"]
+        ... )
+        >>> windows = pandas.DataFrame([["tanker", 10, 30], ["buoy", 40, 60]], columns=["target", "start", "end"])
+        >>> instance = Instance.from_frames(breakpoints, windows, horizon=100, n_agents=1, depot=(0, 0), max_speed=4)
+        >>> instance.targets[0].position(20).tolist(), instance.targets[1].position(50).tolist()
+        ([30.0, 10.0], [-20.0, 10.0])
+        """
+        targets = [_target_from(entry, name) for name, entry in frame_paths(breakpoints, windows)]
+        return cls(targets, horizon=horizon, **fleet)
 
     @classmethod
     def from_dict(cls, data):
