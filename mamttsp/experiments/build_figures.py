@@ -5,6 +5,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 
 from ..figures.style import save
+from ..validation import InputError
 from . import profile
 from .sheets import comparison_sheets, idle_agent_sheet, our_sheets, published_sheets, relaxation_sheet, true_gaps_sheet
 from .summaries.published import read_predecessor, read_published
@@ -21,6 +22,8 @@ def build(results, out):
     for name, ax in _figures(results):
         try:
             save(ax, out / name, dpi=300)
+        except OSError as error:
+            raise InputError(f"{out / name}: cannot be written: {error.strerror}") from error
         finally:
             plt.close(ax.figure)
         yield out / name
