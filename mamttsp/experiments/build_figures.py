@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt
 
 from ..figures.style import save
 from ..validation import InputError
-from . import profile
+from .campaigns.runs import profile
 from .sheets import comparison_sheets, idle_agent_sheet, our_sheets, published_sheets, relaxation_sheet, true_gaps_sheet
 from .summaries.published import read_predecessor, read_published
 from .summaries.row_statistics import bound_over_optimum, of_runs, read_table

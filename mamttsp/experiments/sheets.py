@@ -14,7 +14,8 @@ from ..figures.runtimes import panels_view
 from ..generate import paper_instance
 from ..tours import check
 from ..validation import InputError
-from . import profile, tours_of
+from .campaigns.rows import tours_of
+from .campaigns.runs import profile
 from .summaries.published import CONDITIONS
 from .summaries.row_statistics import by_setting, conditions, of_runs, side_by_side, true_gaps
 
