@@ -9,8 +9,8 @@ import pytest
 PACKAGE = Path(__file__).parents[1] / "mamttsp"
 #: by folder of the package: its modules and folders in order
 ORDER = {
-    "": """validation motion jsonfile instance graph tours conic_solver timing generate solution flow
-        options display versions figures
+    "": """validation motion jsonfile paths instance graph tours conic_solver timing generate solution_table solution flow
+        options display versions figures look
         formulations branch_and_bound backends exact relaxation cut_loop plain_model solve
         experiments study __main__""",
     "experiments": "campaigns summaries claims sheets build_tables build_figures",
@@ -39,7 +39,7 @@ def test_imports_run_one_way(folder, order):
     inside = Path(folder).parts
     paths = [path for path in (PACKAGE / folder).rglob("*.py") if path != PACKAGE / folder / "__init__.py"]
     rooms = {path: path.relative_to(PACKAGE / folder).with_suffix("").parts[0] for path in paths}
-    assert set(rooms.values()) == set(rank)
+    assert set(rooms.values()) == set(rank)  # who adds a room says where it stands
     known = [(path, name) for path in paths for name in imported(path) if name[: len(inside)] == inside]
     assert known
     assert not [
