@@ -2,6 +2,7 @@
 
 import importlib
 
+from .agents import Agents
 from .backends import Progress, SolverUnavailable
 from .flow import FlowError
 from .generate import generate, paper_instance
@@ -16,6 +17,7 @@ from .validation import InputError
 
 __version__ = "0.1.0"
 __all__ = [
+    "Agents",
     "FlowError",
     "InputError",
     "Instance",

@@ -7,6 +7,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from .agents import Agents
 from .backends import MODELERS, SOLVERS
 from .display import ProgressLine
 from .flow import FlowError
@@ -44,10 +45,36 @@ def main(argv=None):
 
 def _generate(arguments):
     _check_writable(arguments.output)
-    instance = generate(arguments.targets, arguments.window, arguments.agents, arguments.seed)
+    fleet = {"n_agents": arguments.agents} if arguments.type is None else {"agents": _types(arguments.type)}
+    if arguments.type is not None and arguments.agents != 1:
+        raise InputError("--agents: give either --agents or --type, which has a count")
+    demands = {} if arguments.demands is None else {"demands": _numbers("--demands", arguments.demands)}
+    instance = generate(arguments.targets, arguments.window, seed=arguments.seed, **fleet, **demands)
     instance.write(arguments.output)
     print(f"{arguments.output}: {counted(instance.n_targets, 'target')}, {counted(instance.n_agents, 'agent')}")
     return 0
+
+
+def _types(texts):
+    """Return the Agents of each --type, a list of texts field=value with the fields of an instance file."""
+    entries = []
+    for k, fields in enumerate(texts):
+        where = f"--type {k}"
+        pairs = [field.partition("=")[::2] for field in fields]
+        entry = {name: _numbers(f"{where}.{name}", value) for name, value in pairs}
+        if isinstance(entry.get("count"), float) and entry["count"].is_integer():
+            entry["count"] = int(entry["count"])
+        entries.append(Agents.from_dict(entry, where))
+    return entries
+
+
+def _numbers(name, text):
+    """Return a number, or a list of them where there are commas."""
+    try:
+        numbers = [float(part) for part in text.split(",")]
+    except ValueError:
+        raise InputError(f"{name}: expected a number, or numbers with commas between them, found {text!r}") from None
+    return numbers if "," in text else numbers[0]
 
 
 def _solve(arguments):
@@ -142,6 +169,14 @@ def _parser():
     command.add_argument("--targets", type=int, required=True, metavar="N")
     command.add_argument("--window", type=float, required=True, metavar="SECONDS", help="total window of each target")
     command.add_argument("--agents", type=int, default=1, metavar="M")
+    command.add_argument(
+        "--type",
+        action="append",
+        nargs="+",
+        metavar="FIELD=VALUE",
+        help="instead of --agents, once for each type: count=2 depot=0,0 max_speed=4 end=9,0 capacity=5",
+    )
+    command.add_argument("--demands", metavar="D", help="of all targets, or of each with commas between them")
     command.add_argument("--seed", type=int, default=0)
     command.add_argument("-o", "--output", required=True, metavar="FILE")
     command.set_defaults(run=_generate)

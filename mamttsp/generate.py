@@ -5,9 +5,10 @@ import math
 import numpy as np
 from numba import njit
 
+from .agents import Agents
 from .instance import Instance, Target
 from .motion import earliest_meeting
-from .validation import InputError, array, positive, whole
+from .validation import InputError, array, is_number, positive, whole
 
 PAPER_SIZES = (5, 10, 15, 20)
 PAPER_INDICES = range(20)
@@ -21,6 +22,8 @@ def generate(
     n_agents=1,
     seed=0,
     *,
+    agents=None,
+    demands=0.0,
     side=100.0,
     horizon=150.0,
     max_speed=4.0,
@@ -33,7 +36,9 @@ def generate(
 
     n_targets: n; total_window: total length in s of the two equal windows of each target; n_agents: m; seed: any whole
     number. The same (n_targets, seed) gives the same trajectories for every total_window and n_agents.
-    side: S, the square is centred at the depot (0, 0); horizon: T in s; max_speed: v_max; target_speed: the range from
+    agents: a list of Agents instead of n_agents and max_speed; demands: one number for all targets, or n of them. The
+    windows then hold a tour that one agent of the first type can fly, whatever its capacity.
+    side: S, the square is centred at (0, 0), the depot unless agents say otherwise; horizon: T in s; max_speed: v_max; target_speed: the range from
     which each target's constant speed is drawn, in units/s.
 
     Open in the paper, chosen here:
@@ -51,17 +56,21 @@ def generate(
     whole("seed", seed, 0)
     for name, value in (("side", side), ("horizon", horizon), ("max_speed", max_speed)):
         positive(name, value)
+    agents = _agents(agents, n_agents, max_speed)
+    demands = _demands(demands, n_targets)
     _check_windows(total_window, widest_total_window, horizon)
-    _check_target_speed(target_speed, max_speed)
+    _check_target_speed(target_speed, min(entry.max_speed for entry in agents))
     # One stream for each part, so that none depends on how much another draws.
     path_rng, tour_rng, window_rng = np.random.default_rng([n_targets, seed]).spawn(3)
     paths = [_trajectory(path_rng, side, horizon, target_speed, n_pieces) for _ in range(n_targets)]
-    visits = _random_tour(tour_rng, paths, horizon, max_speed, max_tries)
+    visits = _random_tour(tour_rng, paths, horizon, agents[0], max_tries)
     targets = [
-        Target(times, points, _windows(window_rng, visit, total_window / 2, widest_total_window / 2, horizon))
-        for (times, points), visit in zip(paths, visits)
+        Target(times, points, _windows(window_rng, visit, total_window / 2, widest_total_window / 2, horizon), demand)
+        for (times, points), visit, demand in zip(paths, visits, demands)
     ]
-    return Instance(targets, n_agents, (0.0, 0.0), max_speed, horizon, R=math.sqrt(2) * side)
+    places = np.concatenate([(entry.depot, entry.end) for entry in agents])
+    R = math.sqrt(2) * side if np.abs(places).max() <= side / 2 else None
+    return Instance(targets, agents=agents, horizon=horizon, R=R)
 
 
 def paper_instance(n, index, total_window=40, n_agents=1):
@@ -71,6 +80,23 @@ def paper_instance(n, index, total_window=40, n_agents=1):
     if index not in PAPER_INDICES:
         raise InputError(f"index: expected a whole number from 0 to {PAPER_INDICES[-1]}, found {index!r}")
     return generate(n, total_window, n_agents, seed=index)
+
+
+def _agents(agents, n_agents, max_speed):
+    if agents is None:
+        return [Agents(whole("n_agents", n_agents, 1), (0.0, 0.0), max_speed)]
+    if (n_agents, max_speed) != (1, 4.0):
+        raise InputError("agents: give either agents or n_agents and max_speed")
+    agents = list(agents)
+    if not agents or not all(isinstance(entry, Agents) for entry in agents):
+        raise InputError("agents: expected a list of at least one Agents")
+    return agents
+
+
+def _demands(demands, n_targets):
+    if is_number(demands):
+        return [demands] * n_targets
+    return array("demands", demands, (n_targets,)).tolist()
 
 
 def _check_windows(total_window, widest, horizon):
@@ -118,13 +144,16 @@ def _next_point(rng, point, step, side):
             return candidate
 
 
-def _random_tour(rng, paths, horizon, max_speed, max_tries):
-    """Return the visit time of each target in the first random order that one agent can fly at v_max within T."""
+def _random_tour(rng, paths, horizon, entry, max_tries):
+    """Return the visit time of each target in the first random order that one agent can fly at v_max within T.
+
+    entry: the Agents that it is one of.
+    """
     times = np.array([path[0] for path in paths])
     points = np.array([path[1] for path in paths])
     for start in range(0, max_tries, _BATCH):
         draws = rng.random((min(_BATCH, max_tries - start), len(paths)))
-        found, visits = _first_flyable(draws, times, points, max_speed, horizon)
+        found, visits = _first_flyable(draws, times, points, entry.depot, entry.end, entry.max_speed, horizon)
         if found:
             return visits
     raise InputError(
@@ -135,7 +164,7 @@ def _random_tour(rng, paths, horizon, max_speed, max_tries):
 
 
 @njit(cache=True)
-def _first_flyable(draws, times, points, max_speed, horizon):
+def _first_flyable(draws, times, points, depot, end, max_speed, horizon):
     """Return (found, visit times) of the first flyable order; each row of `draws` in [0, 1) shuffles one order.
 
     An order is shuffled only as far as it is flown: most fail after a few targets.
@@ -143,13 +172,14 @@ def _first_flyable(draws, times, points, max_speed, horizon):
     n = draws.shape[1]
     order, visits = np.arange(n), np.zeros(n)
     for draw in draws:
-        t, px, py = 0.0, 0.0, 0.0
+        t, px, py = 0.0, depot[0], depot[1]
         for k in range(n):
             pick = k + int(draw[k] * (n - k))
             u = order[pick]
             order[pick], order[k] = order[k], u
             t, px, py = _meet_path(px, py, t, times[u], points[u], max_speed)
-            if t + np.sqrt(px * px + py * py) / max_speed > horizon:
+            dx, dy = px - end[0], py - end[1]
+            if t + np.sqrt(dx * dx + dy * dy) / max_speed > horizon:
                 break
             visits[u] = t
         else:

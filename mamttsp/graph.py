@@ -1,12 +1,18 @@
-"""The directed graph (V, E) of Section III: segments as nodes, clusters C_u, and the edges between them."""
+"""The directed graph (V, E) of Section III: segments as nodes, clusters C_u, and the edges between them.
+
+With several types of agents it has a layer for each: a depot s, a copy of every segment and an end s' of the type's
+own, and edges within the layer only. A cluster C_u holds all copies of the segments of u, so a tour, which stays in
+one layer, is still a path of the paper's kind, and all that is said of nodes and edges goes on to hold.
+"""
 
 import dataclasses
+import functools
 
 import numpy as np
 
 from .instance import Instance
 from .motion import TIME_SLACK
-from .validation import of_type
+from .validation import InputError, of_type
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -15,8 +21,10 @@ class Graph:
 
     t_lo, t_hi: (|V|,) start and end time of each node in s; p_lo, p_hi: (|V|, 2) positions there; v: (|V|, 2)
     velocities. tau: (|V|,) the target of each segment, -1 for s and s'. edges: (|E|, 2) pairs (i, j).
-    max_speed: v_max; horizon: T; size: the diagonal of depot and paths; R: the baseline's big-M, the
-    instance's own or else `size`.
+    horizon: T; size: the diagonal of depots, ends and paths; R: the baseline's big-M, the instance's own or else `size`.
+    K types of agents have layers one after the other: kind: (|V|,) the type of each node; speeds: (K,) v_max of each
+    type; capacities: (K,) infinity without a limit; demands: (n,).
+    numbered: whether tours name their type (an instance that is not `plain`).
     """
 
     t_lo: np.ndarray
@@ -26,22 +34,50 @@ class Graph:
     v: np.ndarray
     tau: np.ndarray
     edges: np.ndarray
-    max_speed: float
     horizon: float
     size: float
     R: float
+    kind: np.ndarray
+    speeds: np.ndarray
+    capacities: np.ndarray
+    demands: np.ndarray
+    numbered: bool
+
+    @functools.cached_property
+    def starts(self):
+        """(K,) the depot s of each type, the first node of its layer."""
+        return np.flatnonzero(np.r_[True, np.diff(self.kind) != 0])
+
+    @functools.cached_property
+    def ends(self):
+        """(K,) the end s' of each type, the last node of its layer."""
+        return np.flatnonzero(np.r_[np.diff(self.kind) != 0, True])
 
     @property
     def s(self):
-        return 0
+        return int(_only(self.starts))
 
     @property
     def s_prime(self):
-        return len(self.tau) - 1
+        return int(_only(self.ends))
+
+    @property
+    def max_speed(self):
+        """v_max, where there is one type of agents."""
+        return float(_only(self.speeds))
+
+    @property
+    def n_types(self):
+        return len(self.speeds)
+
+    @property
+    def loaded(self):
+        """Whether the demands exceed some capacity, so that loads matter."""
+        return bool((self.demands.sum() > self.capacities).any())
 
     @property
     def V_seg(self):
-        return range(1, self.s_prime)
+        return np.flatnonzero(self.tau >= 0).tolist()
 
     @property
     def n_targets(self):
@@ -71,16 +107,22 @@ def build_graph(instance, prune=False):
     cannot reach the end of j in time cannot reach j at all, from any time in i.
     """
     of_type("instance", instance, Instance)
-    rows = [_depot_row(instance, 0.0, 0.0)]
-    for u, target in enumerate(instance.targets):
-        rows += [(*segment, u) for segment in segments(target)]
-    rows.append(_depot_row(instance, 0.0, instance.horizon))
-    t_lo, t_hi, p_lo, p_hi, v, tau = (np.array(column) for column in zip(*rows))
-    edges = _edges(tau)
+    V_seg = [(*segment, u) for u, target in enumerate(instance.targets) for segment in segments(target)]
+    layers = [[_stop(entry.depot, 0.0), *V_seg, _stop(entry.end, instance.horizon)] for entry in instance.agents]
+    t_lo, t_hi, p_lo, p_hi, v, tau = (np.array(column) for column in zip(*sum(layers, [])))
+    size = len(V_seg) + 2
+    edges = np.vstack([_edges(tau[:size]) + k * size for k in range(len(layers))])
+    kind = np.repeat(np.arange(len(layers)), size)
+    speeds = np.array([entry.max_speed for entry in instance.agents])
     if prune:
-        edges = edges[_flyable(edges, t_lo, t_hi, p_lo, p_hi, instance.max_speed)]
+        edges = edges[_flyable(edges, t_lo, t_hi, p_lo, p_hi, speeds[kind[edges[:, 0]]])]
     R = instance.size if instance.R is None else instance.R
-    return Graph(t_lo, t_hi, p_lo, p_hi, v, tau, edges, instance.max_speed, instance.horizon, instance.size, R)
+    return Graph(
+        *(t_lo, t_hi, p_lo, p_hi, v, tau, edges, instance.horizon, instance.size, R, kind, speeds),
+        capacities=np.array([np.inf if entry.capacity is None else entry.capacity for entry in instance.agents]),
+        demands=np.array([target.demand for target in instance.targets]),
+        numbered=not instance.plain,
+    )
 
 
 def segments(target):
@@ -99,8 +141,16 @@ def _velocity(target, t_lo, t_hi):
     return np.diff(target.points, axis=0)[piece] / np.diff(target.times)[piece]
 
 
-def _depot_row(instance, t_lo, t_hi):
-    return t_lo, t_hi, instance.depot, instance.depot, np.zeros(2), -1
+def _stop(place, latest):
+    """Return the row of a node that stands still at `place` from time 0 on: s or s'."""
+    return 0.0, latest, place, place, np.zeros(2), -1
+
+
+def _only(of_types):
+    """Return the one entry, where there is one type of agents."""
+    if len(of_types) > 1:
+        raise InputError(f"agents: expected one type here, found {len(of_types)}")
+    return of_types[0]
 
 
 def _edges(tau):

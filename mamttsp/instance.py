@@ -1,4 +1,4 @@
-"""Target and Instance: the data of an MA-MT-TSP (Section II) and its JSON file."""
+"""Target and Instance: the data of an MA-MT-TSP (Section II), agents of several types included, and its JSON file."""
 
 import dataclasses
 import json
@@ -6,12 +6,15 @@ from collections.abc import Iterable
 
 import numpy as np
 
+from .agents import Agents
 from .jsonfile import check_header, read_json, require, write_json
 from .paths import frame_paths, linear_paths, parked_path
-from .validation import InputError, array, brief, positive, whole
+from .validation import InputError, array, at_least_0, brief, positive, whole
 
 FORMAT = "mamttsp-instance"
-VERSION = 1
+#: 1 has the paper's problem; 2 has types of agents, and demands
+VERSIONS = (1, 2)
+_PAPERS_FIELDS = ("n_agents", "depot", "max_speed")
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -21,17 +24,20 @@ class Target:
     times: (K,) strictly increasing breakpoint times in s, K >= 2.
     points: (K, 2) positions at those times, in units.
     windows: (W, 2) pairs (start, end) in s, in order, not overlapping (they may touch), inside [times[0], times[-1]].
+    demand: what serving it takes of an agent's capacity, in the unit of that.
     """
 
     times: np.ndarray
     points: np.ndarray
     windows: np.ndarray
+    demand: float = 0.0
 
     def __post_init__(self):
         for name, shape in (("times", (-1,)), ("points", (-1, 2)), ("windows", (-1, 2))):
             object.__setattr__(self, name, array(name, getattr(self, name), shape))
         _check_path(self.times, self.points)
         _check_windows(self.times, self.windows)
+        object.__setattr__(self, "demand", at_least_0("demand", self.demand))
 
     @classmethod
     def parked(cls, point, windows):
@@ -54,36 +60,34 @@ class Target:
         return np.linalg.norm(np.diff(self.points, axis=0), axis=1) / np.diff(self.times)
 
     def to_dict(self):
-        return {name: getattr(self, name).tolist() for name in ("times", "points", "windows")}
+        path = {name: getattr(self, name).tolist() for name in ("times", "points", "windows")}
+        return path | {"demand": self.demand} if self.demand else path
 
 
-@dataclasses.dataclass(frozen=True, eq=False)
+@dataclasses.dataclass(frozen=True, eq=False, init=False)
 class Instance:
-    """An MA-MT-TSP: targets, a fleet of `n_agents` equal agents at one depot, their speed, and the horizon T.
+    """An MA-MT-TSP: targets, agents, and the horizon T.
 
-    targets: sequence of Target; depot: (2,) in units; max_speed: v_max in units/s; horizon: T in s. R: the big-M of the
-    baseline in units, at least every distance that may be flown, such as the diagonal of the area in which the targets
-    move; None takes `size`.
+    targets: sequence of Target; agents: sequence of Agents, an entry for each type; horizon: T in s.
+    Instance(targets, n_agents, depot, max_speed, horizon) is the paper's: `n_agents` equal agents at one `depot`, (2,)
+    in units, with `max_speed` v_max in units/s. R: the big-M of the baseline in units, at least every distance that may
+    be flown, such as the diagonal of the area in which the targets move; None takes `size`.
     """
 
     targets: tuple
-    n_agents: int
-    depot: np.ndarray
-    max_speed: float
+    agents: tuple
     horizon: float
     R: float | None = None
 
-    def __post_init__(self):
-        if isinstance(self.targets, (str, dict)) or not isinstance(self.targets, Iterable):
-            raise InputError(f"targets: expected a list of Targets, found {brief(self.targets)}")
-        object.__setattr__(self, "targets", tuple(self.targets))
-        object.__setattr__(self, "depot", array("depot", self.depot, (2,)))
-        for name in ("max_speed", "horizon"):
-            object.__setattr__(self, name, positive(name, getattr(self, name)))
-        object.__setattr__(self, "n_agents", whole("n_agents", self.n_agents, 1))
+    def __init__(self, targets, n_agents=None, depot=None, max_speed=None, horizon=None, R=None, *, agents=None):
+        if isinstance(targets, (str, dict)) or not isinstance(targets, Iterable):
+            raise InputError(f"targets: expected a list of Targets, found {brief(targets)}")
+        object.__setattr__(self, "targets", tuple(targets))
+        object.__setattr__(self, "agents", _agents(agents, n_agents, depot, max_speed))
+        object.__setattr__(self, "horizon", positive("horizon", horizon))
+        object.__setattr__(self, "R", None if R is None else positive("R", R))
         _check_targets(self)
         if self.R is not None:
-            object.__setattr__(self, "R", positive("R", self.R))
             _check_big_m(self)
 
     @property
@@ -91,30 +95,71 @@ class Instance:
         return len(self.targets)
 
     @property
+    def n_agents(self):
+        """m: the number of agents, of all types."""
+        return sum(self.counts)
+
+    @property
+    def counts(self):
+        """The number of agents of each type, a tuple."""
+        return tuple(entry.count for entry in self.agents)
+
+    @property
+    def depot(self):
+        """s: the depot (2,) at which all agents start; InputError if there are several."""
+        return self._common("depot")
+
+    @property
+    def max_speed(self):
+        """v_max of all agents in units/s; InputError if there are several."""
+        return self._common("max_speed")
+
+    def _common(self, field):
+        first, *others = (getattr(entry, field) for entry in self.agents)
+        if any(np.any(other != first) for other in others):
+            raise InputError(f"{field}: the types of agents differ in it; agents[k].{field} is that of type k")
+        return first
+
+    @property
+    def plain(self):
+        """Whether this is the paper's problem: one type of agents, which return to their depot, and no demands."""
+        (first, *others) = self.agents
+        alike = not others and first.returns and first.capacity is None
+        return alike and not any(target.demand for target in self.targets)
+
+    @property
     def size(self):
-        """The diagonal of the smallest upright rectangle that holds the depot and all paths, in units."""
+        """The diagonal of the smallest upright rectangle that holds all depots, ends and paths, in units."""
         points = self._corners()
         return float(np.linalg.norm(points.max(axis=0) - points.min(axis=0)))
 
     def _corners(self):
-        """Return (K, 2) the points whose hull holds the depot and all paths."""
-        return np.vstack([self.depot, *(target.points for target in self.targets)])
+        """Return (K, 2) the points whose hull holds all depots, ends and paths."""
+        return np.vstack([*((entry.depot, entry.end) for entry in self.agents), *(u.points for u in self.targets)])
 
     def with_agents(self, n_agents):
-        """Return the same instance with another number of agents."""
-        return dataclasses.replace(self, n_agents=n_agents)
+        """Return the same instance with another number of agents; InputError if they are of several types."""
+        if len(self.agents) > 1:
+            raise InputError(f"n_agents: there are {len(self.agents)} types of agents, each with a count of its own")
+        entry = dataclasses.replace(self.agents[0], count=whole("n_agents", n_agents, 1))
+        return dataclasses.replace(self, agents=(entry,))
 
     def to_dict(self):
-        """Return the JSON object of the file format (times in s, lengths in units); without "R" where it is None."""
+        """Return the JSON object of the file format (times in s, lengths in units), of version 1 where that suffices."""
+        common = {"horizon": self.horizon} if self.R is None else {"horizon": self.horizon, "R": self.R}
+        targets = [target.to_dict() for target in self.targets]
+        if not self.plain:
+            entries = [entry.to_dict() for entry in self.agents]
+            return {"format": FORMAT, "version": 2, **common, "agents": entries, "targets": targets}
         return {
             "format": FORMAT,
-            "version": VERSION,
+            "version": 1,
             "depot": self.depot.tolist(),
             "max_speed": self.max_speed,
             "horizon": self.horizon,
             "n_agents": self.n_agents,
             **({} if self.R is None else {"R": self.R}),
-            "targets": [target.to_dict() for target in self.targets],
+            "targets": targets,
         }
 
     @classmethod
@@ -160,12 +205,22 @@ class Instance:
     @classmethod
     def from_dict(cls, data):
         """Build an instance from the JSON object; InputError names the field that is wrong."""
-        check_header(data, FORMAT, VERSION)
-        require(data, "", "depot", "max_speed", "horizon", "n_agents", "targets")
+        check_header(data, FORMAT, VERSIONS)
+        own, foreign = (_PAPERS_FIELDS, ("agents",)) if data["version"] == 1 else (("agents",), _PAPERS_FIELDS)
+        require(data, "", *own, "horizon", "targets")
+        for field in foreign:
+            if field in data:
+                raise InputError(f"{field}: not a field of version {data['version']}, which has {', '.join(own)}")
         if not isinstance(data["targets"], list):
             raise InputError("targets: expected a list of targets")
-        targets = [_target_from(entry, f"targets[{u}]") for u, entry in enumerate(data["targets"])]
-        return cls(targets, data["n_agents"], data["depot"], data["max_speed"], data["horizon"], data.get("R"))
+        targets = [_target_from(entry, f"targets[{u}]", data["version"]) for u, entry in enumerate(data["targets"])]
+        common = {"horizon": data["horizon"], "R": data.get("R")}
+        if data["version"] == 1:
+            return cls(targets, data["n_agents"], data["depot"], data["max_speed"], **common)
+        if not isinstance(data["agents"], list):
+            raise InputError("agents: expected a list of entries, one for each type of agents")
+        agents = [Agents.from_dict(entry, f"agents[{k}]") for k, entry in enumerate(data["agents"])]
+        return cls(targets, agents=agents, **common)
 
     def write(self, path):
         """Write the instance as JSON."""
@@ -183,12 +238,34 @@ class Instance:
         return hash(json.dumps(self.to_dict(), sort_keys=True))
 
 
-def _target_from(entry, where):
+def _agents(agents, n_agents, depot, max_speed):
+    """Return the entries (a tuple), from a list of them or from the paper's three numbers."""
+    papers = {"n_agents": n_agents, "depot": depot, "max_speed": max_speed}
+    if agents is None:
+        if missing := [name for name, value in papers.items() if value is None]:
+            raise InputError(f"{missing[0]}: missing; give n_agents, depot and max_speed, or agents")
+        return (Agents(whole("n_agents", n_agents, 1), depot, max_speed),)
+    if given := [name for name, value in papers.items() if value is not None]:
+        raise InputError(f"{given[0]}: given as well as agents, which say it all")
+    if isinstance(agents, (str, dict)) or not isinstance(agents, Iterable):
+        raise InputError(f"agents: expected a list of Agents, found {brief(agents)}")
+    agents = tuple(agents)
+    if not agents:
+        raise InputError("agents: expected at least one entry")
+    for k, entry in enumerate(agents):
+        if not isinstance(entry, Agents):
+            raise InputError(f"agents[{k}]: expected Agents, found {type(entry).__name__}")
+    return agents
+
+
+def _target_from(entry, where, version=2):
     if not isinstance(entry, dict):
         raise InputError(f"{where}: expected an object with times, points and windows")
     require(entry, f"{where}.", "times", "points", "windows")
+    if version == 1 and "demand" in entry:
+        raise InputError(f"{where}.demand: not a field of version 1; version 2 has demands")
     try:
-        return Target(entry["times"], entry["points"], entry["windows"])
+        return Target(entry["times"], entry["points"], entry["windows"], entry.get("demand", 0.0))
     except InputError as error:
         raise InputError(f"{where}.{error}") from error
 
@@ -223,15 +300,17 @@ def _check_windows(times, windows):
 def _check_targets(instance):
     if not instance.targets:
         raise InputError("targets: expected at least one target")
+    slowest = min(range(len(instance.agents)), key=lambda k: instance.agents[k].max_speed)
+    max_speed = instance.agents[slowest].max_speed
     for u, target in enumerate(instance.targets):
         if not isinstance(target, Target):
             raise InputError(f"targets[{u}]: expected a Target, found {type(target).__name__}")
         if target.windows[0, 0] < 0 or target.windows[-1, 1] > instance.horizon:
             raise InputError(f"targets[{u}].windows: expected times from 0 to the horizon {instance.horizon:g}")
-        if (fastest := target.speeds.max()) >= instance.max_speed:
+        if (fastest := target.speeds.max()) >= max_speed:
+            where = "max_speed" if len(instance.agents) == 1 else f"agents[{slowest}].max_speed"
             raise InputError(
-                f"targets[{u}].points: speed {fastest:g} is not below max_speed {instance.max_speed:g}; "
-                "agents must be faster"
+                f"targets[{u}].points: speed {fastest:g} is not below {where} {max_speed:g}; agents must be faster"
             )
 
 

@@ -40,14 +40,15 @@ def write_json(data, path):
         raise InputError(f"{path}: cannot be written: {error.strerror}") from error
 
 
-def check_header(data, expected_format, expected_version):
-    """Reject anything but an object of the expected format and version."""
+def check_header(data, expected_format, versions):
+    """Reject anything but an object of the expected format in one of these versions."""
     if not isinstance(data, dict):
         raise InputError(f'expected a JSON object with "format": "{expected_format}"')
     if data.get("format") != expected_format:
         raise InputError(f'format: expected "{expected_format}", found {json.dumps(data.get("format"))}')
-    if data.get("version") != expected_version:
-        raise InputError(f"version: expected {expected_version}, found {json.dumps(data.get('version'))}")
+    if data.get("version") not in versions:
+        known = " or ".join(map(str, versions))
+        raise InputError(f"version: expected {known}, found {json.dumps(data.get('version'))}")
 
 
 def require(data, where, *fields):

@@ -10,7 +10,8 @@ from .tours import Tour
 from .validation import InputError, is_number
 
 FORMAT = "mamttsp-solution"
-VERSION = 1
+#: 2 says of each tour which type of agent flies it
+VERSIONS = (1, 2)
 
 OPTIMAL = "optimal"
 FEASIBLE = "feasible"
@@ -61,7 +62,7 @@ class Solution:
         """Return the JSON object of the file format."""
         return {
             "format": FORMAT,
-            "version": VERSION,
+            "version": 1 if all(tour.agent is None for tour in self.tours) else 2,
             "status": self.status,
             "method": self.method,
             "modeler": self.modeler,
@@ -79,13 +80,16 @@ class Solution:
     @classmethod
     def from_dict(cls, data):
         """Build a solution from the JSON object; InputError names the field that is wrong."""
-        check_header(data, FORMAT, VERSION)
+        check_header(data, FORMAT, VERSIONS)
         require(data, "", "status", "method", "solver", "objective", "bound", "runtime_s", "tours")
         if data["status"] not in STATUSES:
             raise InputError(f"status: expected one of {', '.join(STATUSES)}, found {json.dumps(data['status'])}")
         if not isinstance(data["tours"], list):
             raise InputError("tours: expected a list of tours")
         tours = tuple(Tour.from_dict(tour, f"tours[{k}]") for k, tour in enumerate(data["tours"]))
+        unnamed = [k for k, tour in enumerate(tours) if tour.agent is None]
+        if data["version"] == 2 and unnamed:
+            raise InputError(f"tours[{unnamed[0]}].agent: missing; version 2 numbers the type of each tour's agent")
         return cls(
             status=data["status"],
             objective=_number(data, "objective"),

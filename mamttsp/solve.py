@@ -46,6 +46,8 @@ def solve(
     here; FlowError: the solver's answer contradicts itself.
     """
     of_type("instance", instance, Instance)
+    if not instance.plain:
+        raise InputError("instance: types of agents, ends of their own, capacities and demands cannot be solved yet")
     options = Options(time_limit, gap, threads, seed, verbose, progress)
     if method == "exact":
         return _solve_exact(instance, options, modeler, solver, subtour_cuts)

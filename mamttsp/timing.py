@@ -17,20 +17,27 @@ def earliest_times(graph, route):
     route: nodes of V_seg in the order of their visits. Flying at v_max is best for time: movers are slower than agents.
     """
     times = np.empty(len(route))
-    t, p = 0.0, graph.p_lo[graph.s]
+    if not len(route):
+        return times
+    s, s_prime = _ends(graph, route)
+    t, p = 0.0, graph.p_lo[s]
     for k, i in enumerate(route):
         times[k] = t = _meeting(graph, p, t, i)
         if math.isinf(t):
             return None
         p = graph.position(i, t)
-    return None if math.isinf(_meeting(graph, p, t, graph.s_prime)) else times
+    return None if math.isinf(_meeting(graph, p, t, s_prime)) else times
+
+
+def _ends(graph, route):
+    """Return the depot s and the end s' of the type of agents in whose layer the route is."""
+    kind = graph.kind[route[0]]
+    return graph.starts[kind], graph.ends[kind]
 
 
 def _meeting(graph, p, t, i):
-    q, v = graph.p_lo[i], graph.v[i]
-    return earliest_meeting(
-        p[0], p[1], t, q[0], q[1], graph.t_lo[i], v[0], v[1], graph.t_lo[i], graph.t_hi[i], graph.max_speed
-    )
+    q, v, v_max = graph.p_lo[i], graph.v[i], graph.speeds[graph.kind[i]]
+    return earliest_meeting(p[0], p[1], t, q[0], q[1], graph.t_lo[i], v[0], v[1], graph.t_lo[i], graph.t_hi[i], v_max)
 
 
 def best_times(graph, route):
@@ -74,19 +81,22 @@ def to_tour(graph, route, times):
     visits = tuple(
         Visit(int(graph.tau[i]), float(t), tuple(map(float, graph.position(i, t)))) for i, t in zip(route, times)
     )
-    home = _meeting(graph, visits[-1].position, visits[-1].time, graph.s_prime) if visits else 0.0
-    return Tour(visits, float(min(home, graph.horizon)))
+    if not visits:
+        return Tour((), 0.0)
+    home = _meeting(graph, visits[-1].position, visits[-1].time, _ends(graph, route)[1])
+    return Tour(visits, float(min(home, graph.horizon)), int(graph.kind[route[0]]) if graph.numbered else None)
 
 
 def _length(graph, route, times):
-    stops = np.vstack([graph.p_lo[:1], *(graph.position(i, t)[None] for i, t in zip(route, times)), graph.p_lo[-1:]])
+    s, s_prime = _ends(graph, route)
+    stops = np.vstack([graph.p_lo[s], *(graph.position(i, t) for i, t in zip(route, times)), graph.p_lo[s_prime]])
     return float(np.linalg.norm(np.diff(stops, axis=0), axis=1).sum())
 
 
 def _flyable_times(graph, route, times):
     """Pull each time forward to where all later visits can still be made, push it to where the agent can be by then."""
     flown = np.empty(len(route))
-    t, p = 0.0, graph.p_lo[graph.s]
+    t, p = 0.0, graph.p_lo[_ends(graph, route)[0]]
     for k, (i, latest) in enumerate(zip(route, _latest_times(graph, route))):
         soonest = _meeting(graph, p, t, i)
         wish = min(max(times[k], graph.t_lo[i]), latest)
@@ -101,10 +111,10 @@ def _latest_times(graph, route):
     Seen backwards in time these are earliest meetings, with motions reversed.
     """
     latest = np.empty(len(route))
-    t, p = graph.horizon, graph.p_lo[graph.s_prime]
+    t, p, v_max = graph.horizon, graph.p_lo[_ends(graph, route)[1]], graph.speeds[graph.kind[route[0]]]
     for k, i in reversed(list(enumerate(route))):
         q, v, start, end = graph.p_hi[i], -graph.v[i], -graph.t_hi[i], -graph.t_lo[i]
-        back = earliest_meeting(p[0], p[1], -t, q[0], q[1], start, v[0], v[1], start, end, graph.max_speed)
+        back = earliest_meeting(p[0], p[1], -t, q[0], q[1], start, v[0], v[1], start, end, v_max)
         latest[k] = t = max(-back, graph.t_lo[i])
         p = graph.position(i, t)
     return latest
@@ -134,8 +144,9 @@ def _program(graph, route):
     Rows: windows; l_k <= v_max * (t_k+1 - t_k); ||p_k+1(t_k+1) - p_k(t_k)|| <= l_k as second-order cones.
     """
     K, R, T = len(route), _unit(graph), graph.horizon
-    nodes = [graph.s, *route, graph.s_prime]
-    speed, v = graph.max_speed * T / R, graph.v[route] * T / R
+    s, s_prime = _ends(graph, route)
+    nodes = [s, *route, s_prime]
+    speed, v = graph.speeds[graph.kind[s]] * T / R, graph.v[route] * T / R
     offset = np.diff(graph.p_lo[nodes] - graph.t_lo[nodes, None] * graph.v[nodes], axis=0) / R
     opens, closes = graph.t_lo[route] / T, graph.t_hi[route] / T
     ones, none = np.ones(K + 1), np.zeros(K + 1)

@@ -2,13 +2,14 @@
 formulation or a solver."""
 
 import dataclasses
+import math
 from collections.abc import Iterable
 from numbers import Integral, Real
 
 import numpy as np
 
 from .instance import Instance
-from .validation import InputError, brief, counted, is_number, of_type, positive
+from .validation import InputError, brief, counted, is_number, of_type, positive, whole
 
 #: default tolerance of `check`, relative to the instance's size (lengths) and horizon (times)
 TOLERANCE = 1e-6
@@ -29,21 +30,29 @@ class Visit:
 
 @dataclasses.dataclass(frozen=True)
 class Tour:
-    """One agent's tour: it leaves the depot at time 0, makes its visits in order and is back at `return_time`."""
+    """One agent's tour: it leaves its depot at time 0, makes its visits in order and is at its end at `return_time`.
+
+    agent: the number of the agent's type, an entry of `Instance.agents`; None where there is only one.
+    """
 
     visits: tuple
     return_time: float
+    agent: int | None = None
 
     def to_dict(self):
         visits = [{"target": v.target, "time": v.time, "position": list(v.position)} for v in self.visits]
-        return {"visits": visits, "return_time": self.return_time}
+        fields = {"visits": visits, "return_time": self.return_time}
+        return fields if self.agent is None else {"agent": self.agent} | fields
 
     @classmethod
     def from_dict(cls, data, where="tour"):
         """Build a tour from the JSON object of a solution file; InputError names the field that is wrong."""
+        agent = data.get("agent") if isinstance(data, dict) else None
+        if agent is not None:
+            whole(f"{where}.agent", agent, 0)
         try:
             visits = tuple(_visit_from(v, f"{where}.visits[{k}]") for k, v in enumerate(data["visits"]))
-            return cls(visits, _finite(data["return_time"]))
+            return cls(visits, _finite(data["return_time"]), agent)
         except (KeyError, TypeError, ValueError) as error:
             if isinstance(error, InputError):
                 raise
@@ -76,6 +85,8 @@ def as_tours(tours):
     for k, tour in enumerate(given):
         if not isinstance(tour, Tour) or not isinstance(tour.visits, (tuple, list)) or not _real(tour.return_time):
             raise InputError(f"tours[{k}]: expected a Tour, its visits a tuple and return_time in s, found {brief(tour)}")
+        if tour.agent is not None and (isinstance(tour.agent, bool) or not isinstance(tour.agent, Integral)):
+            raise InputError(f"tours[{k}].agent: expected a whole number or None, found {brief(tour.agent)}")
         for i, visit in enumerate(tour.visits):
             if not _is_visit(visit):
                 expected = "a Visit, its target a whole number, time in s and position (x, y)"
@@ -105,8 +116,10 @@ def check(instance, tours, tolerance=TOLERANCE):
     tours: a Solution, or a sequence of Tour; InputError if it is neither, or the instance is none.
 
     Independent of every formulation and solver: each target exactly once, inside one of its windows, on its path;
-    no hop faster than max_speed; back by the horizon; at most n_agents tours. Lengths may be off by
-    `tolerance` x the instance's size (the diagonal of depot and paths), times by `tolerance` x the horizon.
+    each tour from the depot of its agent's type, no hop faster than that type's max_speed, at the type's end by the
+    horizon, with no more demand than its capacity; of no type more tours than agents. A tour without visits is an agent
+    that stays at its depot. Lengths may be off by `tolerance` x the instance's size (the diagonal of depots, ends and
+    paths), times by `tolerance` x the horizon, demands by `tolerance` x the capacity.
     """
     of_type("instance", instance, Instance)
     tours, slack = as_tours(tours), positive("tolerance", tolerance) * instance.horizon
@@ -115,23 +128,35 @@ def check(instance, tours, tolerance=TOLERANCE):
     for k, tour in enumerate(tours):
         for visit in tour.visits:
             faults += _visit_faults(instance, k, visit, tolerance)
-        for where, length, duration in _hops(instance, k, tour):
-            total += length
-            if not length <= instance.max_speed * (duration + slack):
-                faults.append(
-                    f"{where}: {length:.9g} units in {duration:.9g} s, faster than max_speed {instance.max_speed:g}"
-                )
-        if tour.return_time > instance.horizon + slack:
-            faults.append(f"tour {k}: back at {tour.return_time:.9g}, after the horizon {instance.horizon:.9g}")
+        if (entry := _type_of(instance, tour)) is None:
+            continue
+        length, hop_faults = _fly(instance, entry, k, tour, slack)
+        total += length
+        faults += hop_faults + _load_faults(instance, entry, k, tour, tolerance)
     if faults:
         raise TourError("\n".join(faults))
     return total
 
 
+def _type_of(instance, tour):
+    """Return the Agents entry of a tour, None if it names none."""
+    if tour.agent is None:
+        return instance.agents[0] if len(instance.agents) == 1 else None
+    return instance.agents[tour.agent] if 0 <= tour.agent < len(instance.agents) else None
+
+
 def _count_faults(instance, tours):
     faults = []
-    if len(tours) > instance.n_agents:
-        faults.append(f"{counted(len(tours), 'tour')} for {counted(instance.n_agents, 'agent')}")
+    for k, tour in enumerate(tours):
+        if _type_of(instance, tour) is None:
+            known = f"there are {len(instance.agents)} types, from 0"
+            named = "its agent's type is not named" if tour.agent is None else f"agent {tour.agent} does not exist"
+            faults.append(f"tour {k}: {named}; {known}")
+    for number, entry in enumerate(instance.agents):
+        flown = sum(tour.agent == number or (tour.agent is None and len(instance.agents) == 1) for tour in tours)
+        if flown > entry.count:
+            which = f" of type {number}" if len(instance.agents) > 1 else ""
+            faults.append(f"{counted(flown, 'tour')} for {counted(entry.count, 'agent')}{which}")
     visited = [visit.target for tour in tours for visit in tour.visits]
     for u in range(instance.n_targets):
         if (times := visited.count(u)) != 1:
@@ -153,10 +178,33 @@ def _visit_faults(instance, k, visit, tolerance):
     return faults
 
 
-def _hops(instance, k, tour):
+def _fly(instance, entry, k, tour, slack):
+    """Return (length, faults) of tour k of an agent of the type `entry`; slack: s."""
+    total, faults = 0.0, []
+    for where, length, duration in _hops(entry, k, tour):
+        total += length
+        if not length <= entry.max_speed * (duration + slack):
+            limit = f"max_speed {entry.max_speed:g}"
+            faults.append(f"{where}: {length:.9g} units in {duration:.9g} s, faster than {limit}")
+    if tour.return_time > instance.horizon + slack:
+        faults.append(f"tour {k}: back at {tour.return_time:.9g}, after the horizon {instance.horizon:.9g}")
+    return total, faults
+
+
+def _hops(entry, k, tour):
     """Yield (where, length in units, duration in s) of each hop of tour k, the one home included."""
-    position, time = instance.depot, 0.0
+    position, time = entry.depot, 0.0
+    home = entry.end if tour.visits else entry.depot
+    name_of_home = "the depot" if entry.returns else "its end"
     ends = [(f"target {visit.target}", visit.position, visit.time) for visit in tour.visits]
-    for name, there, then in [*ends, ("the depot", instance.depot, tour.return_time)]:
+    for name, there, then in [*ends, (name_of_home, home, tour.return_time)]:
         yield f"tour {k}, to {name}", float(np.linalg.norm(np.subtract(there, position))), then - time
         position, time = there, then
+
+
+def _load_faults(instance, entry, k, tour, tolerance):
+    known = [visit.target for visit in tour.visits if 0 <= visit.target < instance.n_targets]
+    load = math.fsum(instance.targets[u].demand for u in known)
+    if entry.capacity is None or load <= entry.capacity * (1 + tolerance):
+        return []
+    return [f"tour {k}: demands of {load:.9g} in all, above the capacity {entry.capacity:.9g}"]

@@ -63,6 +63,13 @@ def positive(name, value):
     return float(value)
 
 
+def at_least_0(name, value):
+    """Return `value` as a finite float of at least 0, or raise InputError."""
+    if not is_number(value) or value < 0:
+        raise InputError(f"{name}: expected a finite number of at least 0, found {value!r}")
+    return float(value)
+
+
 def whole(name, value, least):
     """Return `value` as an int of at least `least`, or raise InputError."""
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < least:

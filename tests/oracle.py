@@ -4,27 +4,42 @@ It shares with the package the graph's nodes and the best times of one fixed ord
 against another solver), and nothing with any formulation, edge set or branch and bound.
 """
 
+import dataclasses
 import functools
 import itertools
 import math
 
 import numpy as np
 
-from mamttsp import build_graph
+from mamttsp import Instance, build_graph
 from mamttsp.timing import best_times, earliest_times
 
 
 def optimum(instance):
-    """Return the least total length of at most `n_agents` tours that visit every target once; inf if there is none."""
-    shortest = {frozenset(): 0.0} | shortest_tours(instance.with_agents(1))
+    """Return the least total length of tours that visit every target once, of each type of agents no more tours than
+    agents, none with more demand than its agent's capacity; inf if there is none."""
     targets = range(instance.n_targets)
     best = {frozenset(): 0.0}  # with no agent so far, only the empty set can be visited
-    for _ in range(instance.n_agents):
-        best = {
-            S: min(shortest.get(own, math.inf) + best.get(S - own, math.inf) for own in subsets(S))
-            for S in subsets(targets)
-        }
+    for entry in instance.agents:
+        alone = dataclasses.replace(entry, count=1, capacity=None)
+        one = Instance([_without_demand(target) for target in instance.targets], agents=[alone], horizon=instance.horizon)
+        shortest = {frozenset(): 0.0} | _carried(instance, entry, shortest_tours(one))
+        for _ in range(entry.count):
+            best = {
+                S: min(shortest.get(own, math.inf) + best.get(S - own, math.inf) for own in subsets(S))
+                for S in subsets(targets)
+            }
     return best[frozenset(targets)]
+
+
+def _without_demand(target):
+    return dataclasses.replace(target, demand=0.0)
+
+
+def _carried(instance, entry, tours):
+    """Return those of the tours {set of targets: length} whose demands are within the capacity of an agent."""
+    limit = math.inf if entry.capacity is None else entry.capacity
+    return {S: length for S, length in tours.items() if math.fsum(instance.targets[u].demand for u in S) <= limit + 1e-9}
 
 
 def subsets(items):
@@ -62,8 +77,7 @@ def _lower_bound(graph, route, earliest):
     """Every visit lies on its segment after the earliest time, so in the disc that has this stretch as its diameter."""
     ends = np.array([graph.p_hi[i] for i in route])
     starts = np.array([graph.position(i, t) for i, t in zip(route, earliest)])
-    home = graph.p_lo[graph.s]
-    centres = np.vstack([home, (starts + ends) / 2, home])
+    centres = np.vstack([graph.p_lo[graph.s], (starts + ends) / 2, graph.p_lo[graph.s_prime]])
     radii = np.concatenate([[0.0], np.hypot(*(ends - starts).T) / 2, [0.0]])
     apart = np.hypot(*np.diff(centres, axis=0).T) - radii[:-1] - radii[1:]
     return np.maximum(apart, 0.0).sum()

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from oracle import optimum
 
-from mamttsp import InputError, Tour, Visit, check, generate, paper_instance
+from mamttsp import Agents, InputError, Instance, Tour, Visit, check, generate, paper_instance
 
 WINDOWS = (20, 40, 60)
 seeds = st.integers(0, 10_000)
@@ -82,6 +82,28 @@ def test_one_agent_suffices_by_enumeration(seed):
     assert np.isfinite(lengths).all() and lengths == sorted(lengths, reverse=True)
 
 
+TYPES = [Agents(1, (30.0, -30.0), 3.0, end=(0.0, 40.0), capacity=2.0), Agents(2, (0.0, 0.0), 5.0)]
+
+
+@given(sizes, seeds, st.sampled_from(WINDOWS))
+def test_types_and_demands_leave_the_trajectories(n, seed, total_window):
+    plain, unlike = generate(n, total_window, seed=seed), generate(n, total_window, seed=seed, agents=TYPES, demands=1.5)
+    assert unlike.agents == tuple(TYPES) and [target.demand for target in unlike.targets] == [1.5] * n
+    for a, b in zip(plain.targets, unlike.targets):
+        assert (a.times == b.times).all() and (a.points == b.points).all()
+
+
+def test_agents_of_the_papers_kind_change_nothing():
+    assert generate(5, 40, seed=3, agents=[Agents(2, (0, 0), 4.0)], demands=[0.0] * 5) == generate(5, 40, 2, seed=3)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_one_agent_of_the_first_type_could_fly_a_tour_by_enumeration(seed):
+    first = dataclasses.replace(TYPES[0], capacity=None)
+    instance = generate(3, 20, seed=seed, agents=TYPES, demands=[1, 1, 1])
+    assert np.isfinite(optimum(Instance(instance.targets, agents=[first], horizon=instance.horizon)))
+
+
 def test_different_seeds_and_sizes_give_different_targets():
     first_points = {tuple(generate(n, 20, seed=seed).targets[0].points[0]) for n in (3, 4) for seed in range(5)}
     assert len(first_points) == 10
@@ -140,6 +162,14 @@ def fingerprint(instance):
         ({"n_pieces": 0}, "n_pieces"),
         ({"n_pieces": 1}, "n_pieces"),  # a piece of 150 s may be longer than the square has room for
         ({"max_tries": 0}, "max_tries"),
+        ({"agents": []}, "agents"),
+        ({"agents": [4.0]}, "agents"),
+        ({"agents": TYPES, "n_agents": 2}, "agents"),
+        ({"agents": TYPES, "max_speed": 5.0}, "agents"),
+        ({"agents": TYPES, "target_speed": (1.0, 3.0)}, "target_speed"),  # as fast as the first type
+        ({"demands": [1, 2]}, "demands"),
+        ({"demands": "one"}, "demands"),
+        ({"demands": -1}, "demand"),
         ({"n_targets": 60, "max_tries": 10}, "horizon"),  # nobody can visit so many in time
     ],
 )

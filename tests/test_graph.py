@@ -4,9 +4,9 @@ import itertools
 
 import numpy as np
 import pytest
-from examples import HORIZON, instance, moving, still
+from examples import HORIZON, agents, general, instance, moving, still
 
-from mamttsp import Target, build_graph, generate
+from mamttsp import InputError, Target, build_graph, generate
 from mamttsp.graph import segments
 from mamttsp.timing import earliest_times
 
@@ -86,3 +86,41 @@ def test_pruning_loses_no_flyable_route():
             flyable += 1
             assert {(i, j), (j, k)} <= kept
     assert flyable
+
+
+# --- Types of agents -------------------------------------------------------------------------------------------------
+
+
+def _layered(prune=False):
+    slow, fast = agents(2, max_speed=1.0), agents(1, (20.0, 0.0), 9.0, end=(0.0, 20.0), capacity=1.0)
+    return build_graph(general(still(5, 0, [(6, 60)], 2.0), still(90, 0, [(10, 20)]), types=[slow, fast]), prune)
+
+
+def test_each_type_has_a_layer_with_a_depot_and_an_end_of_its_own():
+    graph = _layered()
+    assert graph.kind.tolist() == [0] * 4 + [1] * 4 and graph.tau.tolist() == [-1, 0, 1, -1] * 2
+    assert (graph.starts.tolist(), graph.ends.tolist(), graph.V_seg) == ([0, 4], [3, 7], [1, 2, 5, 6])
+    assert graph.p_lo[graph.starts].tolist() == [[0, 0], [20, 0]] and graph.p_lo[graph.ends].tolist() == [[0, 0], [0, 20]]
+    assert (graph.t_hi[graph.starts] == 0).all() and (graph.t_hi[graph.ends] == HORIZON).all()
+    assert graph.C(1).tolist() == [2, 6] and graph.n_targets == 2
+    assert graph.speeds.tolist() == [1.0, 9.0] and graph.capacities.tolist() == [np.inf, 1.0] and graph.demands.tolist() == [2, 0]
+    assert graph.loaded and graph.numbered
+
+
+def test_edges_stay_in_their_layer():
+    graph = _layered()
+    one = build_graph(instance(still(5, 0), still(90, 0)))
+    assert graph.edges.tolist() == [*one.edges.tolist(), *(one.edges + 4).tolist()]
+
+
+def test_edges_are_pruned_by_the_speed_of_their_type():
+    """Only the fast type reaches the far target by 20, and so goes on from it; nothing else is lost."""
+    graph = _layered(prune=True)
+    assert sorted(map(tuple, graph.edges[graph.kind[graph.edges[:, 0]] == 0].tolist())) == [(0, 1), (1, 3), (2, 3)]
+    assert len(graph.edges[graph.kind[graph.edges[:, 0]] == 1]) == 6
+
+
+def test_what_is_of_one_type_is_not_asked_of_several():
+    for field in ("s", "s_prime", "max_speed"):
+        with pytest.raises(InputError, match="^agents: expected one type here, found 2"):
+            getattr(_layered(), field)

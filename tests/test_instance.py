@@ -8,9 +8,9 @@ import sys
 
 import numpy as np
 import pytest
-from examples import instance, moving, still
+from examples import agents, general, instance, moving, still
 
-from mamttsp import InputError, Instance, Target, build_graph, generate
+from mamttsp import Agents, InputError, Instance, Target, build_graph, generate
 from mamttsp.__main__ import main
 
 GOOD = instance(moving((1, 2), (0.5, 0), [(10, 30), (60, 80)]), still(5, 5), n_agents=2)
@@ -98,6 +98,98 @@ def test_windows_may_touch_be_one_moment_and_fill_the_horizon(windows):
     assert still(1, 1, windows).windows.tolist() == [list(map(float, window)) for window in windows]
 
 
+UNLIKE = general(
+    moving((1, 2), (0.5, 0), [(10, 30)], demand=2.0),
+    still(5, 5),
+    types=[agents(2), agents(1, (40.0, 0.0), max_speed=6.0, end=(0.0, 0.0), capacity=5.0)],
+)
+
+# --- Types of agents, and demands ------------------------------------------------------------------------------------
+
+
+def test_the_file_of_version_2_has_the_fields_of_the_format():
+    assert json.loads(json.dumps(UNLIKE.to_dict())) == {
+        "format": "mamttsp-instance",
+        "version": 2,
+        "horizon": 100.0,
+        "agents": [
+            {"count": 2, "depot": [0.0, 0.0], "max_speed": 4.0},
+            {"count": 1, "depot": [40.0, 0.0], "max_speed": 6.0, "end": [0.0, 0.0], "capacity": 5.0},
+        ],
+        "targets": [
+            {"times": [0.0, 100.0], "points": [[1.0, 2.0], [51.0, 2.0]], "windows": [[10.0, 30.0]], "demand": 2.0},
+            {"times": [0.0, 100.0], "points": [[5.0, 5.0], [5.0, 5.0]], "windows": [[0.0, 100.0]]},
+        ],
+    }
+
+
+def test_an_instance_of_version_2_survives_its_file(tmp_path):
+    UNLIKE.write(tmp_path / "instance.json")
+    read = Instance.read(tmp_path / "instance.json")
+    assert read == UNLIKE and hash(read) == hash(UNLIKE) and read.agents == UNLIKE.agents
+
+
+def test_version_2_that_says_nothing_new_is_version_1():
+    data = GOOD.to_dict()
+    entry = {"count": data["n_agents"], "depot": data["depot"], "max_speed": data["max_speed"]}
+    same = {"format": "mamttsp-instance", "version": 2, "horizon": data["horizon"], "targets": data["targets"]}
+    for agents_field in ([entry], [entry | {"end": data["depot"], "capacity": None}], [entry | {"end": None}]):
+        read = Instance.from_dict(same | {"agents": agents_field})
+        assert read == GOOD and read.plain and read.to_dict() == data
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        general(still(1, 1), types=[agents(end=(1.0, 0.0))]),
+        general(still(1, 1), types=[agents(capacity=3.0)]),
+        general(still(1, 1), types=[agents(), agents()]),
+        general(still(1, 1, demand=0.5), types=[agents()]),
+    ],
+)
+def test_what_version_1_cannot_say_is_version_2(changed, tmp_path):
+    assert not changed.plain and changed.to_dict()["version"] == 2
+    changed.write(tmp_path / "instance.json")
+    assert Instance.read(tmp_path / "instance.json") == changed
+
+
+def test_what_the_types_have_in_common():
+    assert (UNLIKE.n_agents, UNLIKE.counts) == (3, (2, 1))
+    assert general(still(1, 1), types=[agents(), agents(max_speed=5.0)]).depot.tolist() == [0.0, 0.0]
+    for field in ("depot", "max_speed"):
+        with pytest.raises(InputError, match=f"^{field}: the types of agents differ"):
+            getattr(UNLIKE, field)
+    assert general(still(3, 4), types=[agents(end=(0.0, -4.0))]).size == pytest.approx(math.hypot(3, 8))
+
+
+def test_another_number_of_agents_of_the_only_type():
+    one = general(still(1, 1), types=[agents(2, end=(5.0, 0.0), capacity=3.0)])
+    assert one.with_agents(4).agents == (agents(4, end=(5.0, 0.0), capacity=3.0),)
+    with pytest.raises(InputError, match="^n_agents: there are 2 types of agents"):
+        UNLIKE.with_agents(2)
+
+
+def test_an_end_is_the_depot_unless_it_is_said():
+    assert agents(depot=(1.0, 2.0)).end.tolist() == [1.0, 2.0] and agents().capacity is None
+    assert agents() == Agents(1, (0, 0), 4) != agents(end=(1.0, 0.0))
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        ({"agents": [agents()], "n_agents": 1}, "n_agents: given as well as agents"),
+        ({"agents": [agents()], "depot": (0, 0)}, "depot: given as well as agents"),
+        ({"agents": []}, "agents: expected at least one entry"),
+        ({"agents": [{"count": 1}]}, "agents[0]: expected Agents, found dict"),
+        ({"n_agents": 1, "max_speed": 4.0}, "depot: missing; give n_agents, depot and max_speed, or agents"),
+    ],
+)
+def test_agents_are_given_in_one_of_two_ways(arguments, message):
+    with pytest.raises(InputError) as caught:
+        Instance([still(1, 1)], horizon=100.0, **arguments)
+    assert str(caught.value).startswith(message)
+
+
 # --- Bad input -------------------------------------------------------------------------------------------------------
 
 
@@ -121,7 +213,9 @@ BAD = {
     "nested without end": ("[" * 100_000, "maximum recursion"),
     "another format": (_with(format="mamttsp-solution"), "format: expected"),
     "no format": (_without("format"), "format: expected"),
-    "another version": (_with(version=2), "version: expected 1, found 2"),
+    "another version": (_with(version=3), "version: expected 1 or 2, found 3"),
+    "types in version 1": (_with(agents=[]), "agents: not a field of version 1, which has n_agents, depot, max_speed"),
+    "a demand in version 1": (_with_target(demand=1), "targets[0].demand: not a field of version 1"),
     "no targets field": (_without("targets"), "targets: missing"),
     "no depot": (_without("depot"), "depot: missing"),
     "no targets": (_with(targets=[]), "targets: expected at least one"),
@@ -164,6 +258,52 @@ BAD = {
         "targets[0].points: speed 5 is not below max_speed 4",
     ),
     "a target as fast as the agents": (_with_target(points=[[0, 0], [400, 0]]), "targets[0].points: speed 4 is not below"),
+}
+
+
+# --- Bad input of version 2 --------------------------------------------------------------------------------------------
+
+
+def _two(**fields):
+    return json.dumps(UNLIKE.to_dict() | fields)
+
+
+def _two_with_entry(*without, **fields):
+    entry = {name: value for name, value in UNLIKE.to_dict()["agents"][1].items() if name not in without}
+    return _two(agents=[UNLIKE.to_dict()["agents"][0], entry | fields])
+
+
+def _two_with_target(**fields):
+    return _two(targets=[UNLIKE.to_dict()["targets"][0] | fields])
+
+
+BAD |= {
+    "version 2 without agents": (json.dumps({k: v for k, v in UNLIKE.to_dict().items() if k != "agents"}), "agents: missing"),
+    "version 2 with a depot": (_two(depot=[0, 0]), "depot: not a field of version 2, which has agents"),
+    "version 2 with a number of agents": (_two(n_agents=3), "n_agents: not a field of version 2"),
+    "version 2 with a speed": (_two(max_speed=4.0), "max_speed: not a field of version 2"),
+    "types of the wrong kind": (_two(agents={"count": 1}), "agents: expected a list of entries"),
+    "no types": (_two(agents=[]), "agents: expected at least one entry"),
+    "a type of the wrong kind": (_two(agents=[7]), "agents[0]: expected an object with count, depot and max_speed"),
+    "a type without a count": (_two_with_entry("count"), "agents[1].count: missing"),
+    "a type without a depot": (_two_with_entry("depot"), "agents[1].depot: missing"),
+    "a type without a speed": (_two_with_entry("max_speed"), "agents[1].max_speed: missing"),
+    "a type of nobody": (_two_with_entry(count=0), "agents[1].count: expected a whole number of at least 1, found 0"),
+    "a type of one and a half": (_two_with_entry(count=1.5), "agents[1].count: expected a whole number"),
+    "a type with a depot in space": (_two_with_entry(depot=[0, 0, 0]), "agents[1].depot: expected the shape 2, found 3"),
+    "a type that stands still": (_two_with_entry(max_speed=0), "agents[1].max_speed: expected a finite number above 0"),
+    "a type with half an end": (_two_with_entry(end=[1]), "agents[1].end: expected the shape 2, found 1"),
+    "a type with an end in words": (_two_with_entry(end="home"), "agents[1].end: expected numbers in the shape 2"),
+    "a capacity below 0": (_two_with_entry(capacity=-1), "agents[1].capacity: expected a finite number of at least 0"),
+    "a capacity in words": (_two_with_entry(capacity="all"), "agents[1].capacity: expected a finite number"),
+    "a misspelt capacity": (_two_with_entry(capcity=5), "agents[1].capcity: unknown; an entry has count, depot"),
+    "a demand below 0": (_two_with_target(demand=-1), "targets[0].demand: expected a finite number of at least 0, found -1"),
+    "a demand in words": (_two_with_target(demand="two"), "targets[0].demand: expected a finite number of at least 0"),
+    "a demand of null": (_two_with_target(demand=None), "targets[0].demand: expected a finite number of at least 0"),
+    "a target faster than the slowest type": (
+        _two_with_target(points=[[0, 0], [500, 0]]),
+        "targets[0].points: speed 5 is not below agents[0].max_speed 4; agents must be faster",
+    ),
 }
 
 

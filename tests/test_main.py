@@ -9,7 +9,7 @@ import pytest
 from examples import instance, still
 from oracle import optimum
 
-from mamttsp import Instance, Progress, Solution
+from mamttsp import Agents, Instance, Progress, Solution
 from mamttsp.__main__ import main
 from mamttsp.display import ProgressLine, format_progress
 
@@ -19,6 +19,10 @@ def problem(tmp_path):
     path = tmp_path / "instance.json"
     instance(still(10, 0), still(0, 10), n_agents=2).write(path)
     return str(path)
+
+
+#: `generate` with a type that is not complete yet
+_TYPES = ["generate", "--targets", "3", "--window", "20", "-o", "i.json", "--type", "count=1", "depot=0,0"]
 
 
 def _one_line(capsys):
@@ -38,6 +42,17 @@ def test_generate_solve_check(tmp_path, capsys):
     capsys.readouterr()
     assert main(["check", problem, answer]) == 0
     assert "total length" in capsys.readouterr().out
+
+
+def test_generate_types_and_demands(tmp_path, capsys):
+    problem = str(tmp_path / "instance.json")
+    first, second = ["count=2", "depot=0,0", "max_speed=4"], ["count=1", "depot=40,0", "max_speed=6", "end=0,0", "capacity=5"]
+    command = ["generate", "--targets", "3", "--window", "20", "--type", *first, "--type", *second, "--demands", "1,2,3"]
+    assert main([*command, "-o", problem]) == 0
+    assert capsys.readouterr().out == f"{problem}: 3 targets, 3 agents\n"
+    instance = Instance.read(problem)
+    assert instance.agents == (Agents(2, (0, 0), 4.0), Agents(1, (40, 0), 6.0, (0, 0), 5.0))
+    assert [target.demand for target in instance.targets] == [1.0, 2.0, 3.0]
 
 
 def test_the_table_names_the_numbers_and_the_visits(problem, capsys):
@@ -104,6 +119,11 @@ def test_options_reach_solve(problem, monkeypatch):
         (["check", "nowhere.json", "s.json"], "nowhere.json: cannot be read"),
         (["generate", "--targets", "0", "--window", "20", "-o", "i.json"], "n_targets: expected a whole number"),
         (["generate", "--targets", "2", "--window", "20", "-o", "no/folder/i.json"], "there is no folder"),
+        (_TYPES, "--type 0.max_speed: missing"),
+        ([*_TYPES, "max_speed=fast"], "--type 0.max_speed: expected a number, or numbers with commas between them, found 'fast'"),
+        ([*_TYPES, "max_speed=4", "speed=4"], "--type 0.speed: unknown; an entry has count"),
+        ([*_TYPES, "max_speed=4", "--agents", "2"], "--agents: give either --agents or --type"),
+        ([*_TYPES, "max_speed=4", "--demands", "1,2"], "demands: expected the shape 3, found 2"),
         (["generate", "--targets", "two", "--window", "20", "-o", "i.json"], "invalid int value: 'two'"),
         (["solve"], "required: INSTANCE"),
         (["fly"], "invalid choice: 'fly'"),

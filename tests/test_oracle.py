@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from examples import instance, moving, still
+from examples import agents, general, instance, moving, still
 from oracle import optimum, subsets
 
 
@@ -54,6 +54,37 @@ def test_targets_that_meet_are_still_flown_to():
     # at (48, 0) when t = 12, on the way there.
     meeting = moving((40, 0), (1, 0), [(0, 20)]), moving((60, 0), (-1, 0), [(0, 20)])
     assert optimum(instance(*meeting)) == pytest.approx(320 / 3, rel=1e-6)
+
+
+def test_the_nearer_depot_and_the_nearer_end_are_taken():
+    far, near = agents(depot=(-50.0, 0.0)), agents(depot=(20.0, 0.0), end=(30.0, 0.0))
+    assert optimum(general(still(25, 0), types=[far])) == pytest.approx(150.0)
+    assert optimum(general(still(25, 0), types=[far, near])) == pytest.approx(10.0)
+
+
+def test_only_the_fast_agent_makes_both_appointments():
+    appointments = still(10, 0, [(5, 6)]), still(-10, 0, [(9, 10)])
+    assert optimum(general(*appointments, types=[agents(1, max_speed=3.9)])) == math.inf
+    assert optimum(general(*appointments, types=[agents(1, max_speed=4.1)])) == pytest.approx(40.0)
+
+
+ROOT = math.sqrt(200)  # from the depot to the far corner
+
+
+@pytest.mark.parametrize(
+    "capacity, expected", [(None, 40.0), (3.0, 40.0), (2.0, 40 + ROOT), (1.0, 40 + 2 * ROOT), (0.5, math.inf)]
+)
+def test_capacity_divides_the_square(capacity, expected):
+    corners = [still(0, 10, demand=1.0), still(10, 10, demand=1.0), still(10, 0, demand=1.0)]
+    assert optimum(general(*corners, types=[agents(3, capacity=capacity)])) == pytest.approx(expected)
+
+
+def test_of_each_type_no_more_agents_than_there_are():
+    """Two appointments at a time: the near depot has one agent, so the other one comes from far."""
+    pair = still(10, 0, [(5, 6)]), still(-10, 0, [(5, 6)])
+    types = [agents(1), agents(1, depot=(30.0, 0.0), max_speed=8.0)]
+    assert optimum(general(*pair, types=types)) == pytest.approx(20.0 + 40.0)
+    assert optimum(general(*pair, types=[agents(2), types[1]])) == pytest.approx(40.0)
 
 
 def test_subsets():

@@ -33,6 +33,15 @@ def test_the_gap_is_a_share_of_the_objective(objective, bound, gap):
     assert relative_gap(objective, bound) == gap
 
 
+def test_a_solution_of_types_survives_its_file_and_numbers_them(tmp_path):
+    tours = (Tour(SOLUTION.tours[0].visits, 40.0, agent=1), Tour((), 0.0, agent=0))
+    typed = dataclasses.replace(SOLUTION, tours=tours)
+    typed.write(tmp_path / "solution.json")
+    data = json.loads((tmp_path / "solution.json").read_text())
+    assert data["version"] == 2 and [tour["agent"] for tour in data["tours"]] == [1, 0]
+    assert Solution.read(tmp_path / "solution.json") == typed
+
+
 def test_a_solution_survives_its_file(tmp_path):
     SOLUTION.write(tmp_path / "solution.json")
     assert Solution.read(tmp_path / "solution.json") == SOLUTION
@@ -49,6 +58,7 @@ def test_an_infeasible_solution_has_nulls_and_no_gap(tmp_path):
 def test_the_file_has_the_fields_of_the_format():
     data = SOLUTION.to_dict()
     assert data["format"] == "mamttsp-solution" and data["version"] == 1
+    assert all("agent" not in tour for tour in data["tours"])
     assert data["runtime_s"] == 1.5 and data["gap"] == pytest.approx(23.25 / 123.5)
     assert data["tours"][0] == {"visits": [{"target": 0, "time": 12.5, "position": [3.0, 4.0]}], "return_time": 40.0}
 
@@ -61,12 +71,15 @@ def test_statuses():
     "change, message",
     [
         ({"format": "mamttsp-instance"}, 'format: expected "mamttsp-solution", found "mamttsp-instance"'),
-        ({"version": 2}, "version: expected 1, found 2"),
+        ({"version": 3}, "version: expected 1 or 2, found 3"),
+        ({"version": 2}, "tours[0].agent: missing; version 2 numbers the type"),
         ({"status": "great"}, "status: expected one of optimal, feasible, infeasible, unknown"),
         ({"objective": "low"}, "objective: expected a finite number or null"),
         ({"bound": True}, "bound: expected a finite number or null"),
         ({"objective": math.inf}, "objective: expected a finite number or null"),
         ({"tours": {}}, "tours: expected a list"),
+        ({"tours": [{"agent": -1, "visits": [], "return_time": 0.0}]}, "tours[0].agent: expected a whole number"),
+        ({"tours": [{"agent": True, "visits": [], "return_time": 0.0}]}, "tours[0].agent: expected a whole number"),
         ({"tours": [None]}, "tours[0]: expected visits"),
     ],
 )

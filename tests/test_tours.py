@@ -3,7 +3,7 @@
 import dataclasses
 
 import pytest
-from examples import instance, moving, still
+from examples import agents, general, instance, moving, still
 
 from mamttsp import InputError, Solution, Tour, TourError, Visit, check
 from mamttsp.tours import TOLERANCE
@@ -69,6 +69,62 @@ def test_damage_is_rejected_and_named(damage):
         check(CHECKED, tours)
 
 
+# --- Types of agents -------------------------------------------------------------------------------------------------
+
+#: two slow agents at the origin that end in the north and carry 2, and a fast one in the east
+UNLIKE = general(
+    still(10, 0, demand=1.0),
+    still(0, 10, demand=1.5),
+    still(-10, 0, demand=0.5),
+    types=[agents(2, end=(0.0, 20.0), capacity=2.0), agents(1, depot=(40.0, 0.0), max_speed=8.0)],
+)
+WEST_NORTH = Tour((Visit(2, 2.5, (-10.0, 0.0)), Visit(1, 7.0, (0.0, 10.0))), 9.5, agent=0)
+EAST = Tour((Visit(0, 3.75, (10.0, 0.0)),), 7.5, agent=1)
+
+
+def test_each_type_flies_from_its_depot_to_its_end_at_its_speed():
+    assert check(UNLIKE, [WEST_NORTH, EAST]) == pytest.approx(10 + 200**0.5 + 10 + 60)
+
+
+def test_an_agent_without_a_visit_stays_where_it_is_and_flies_nothing():
+    idle = Tour((), 0.0, agent=0)
+    assert check(UNLIKE, [WEST_NORTH, EAST, idle]) == check(UNLIKE, [WEST_NORTH, EAST])
+
+
+ALONE = [Tour((Visit(u, t, p),), home, agent=0) for u, t, p, home in (
+    (0, 2.5, (10.0, 0.0), 9.0), (1, 2.5, (0.0, 10.0), 5.0), (2, 2.5, (-10.0, 0.0), 9.0),
+)]  # fmt: skip
+UNLIKE_DAMAGE = {
+    "from another depot": ([dataclasses.replace(EAST, agent=0), WEST_NORTH], "tour 0, to its end: .* faster than max_speed 4"),
+    "back at the depot, not at the end": (_change([WEST_NORTH, EAST], 0, return_time=9.4), "to its end: 10 units in 2.4 s"),
+    "too fast for its type": (_change([WEST_NORTH, EAST], 0, 1, time=5.0), "14.1.* units in 2.5 s, faster than max_speed 4"),
+    "too fast even for the fast type": (_change([WEST_NORTH, EAST], 1, 0, time=3.7), "30 units in 3.7 s, faster than max_speed 8"),
+    "a type used too often": (ALONE, "3 tours for 2 agents of type 0"),
+    "idle agents that are not there": ([WEST_NORTH, EAST, Tour((), 0.0, 1)], "2 tours for 1 agents of type 1"),
+    "a type that does not exist": (_change([WEST_NORTH, EAST], 1, agent=2), "tour 1: agent 2 does not exist; there are 2 types"),
+    "a type below 0": (_change([WEST_NORTH, EAST], 1, agent=-1), "tour 1: agent -1 does not exist"),
+    "no type": (_change([WEST_NORTH, EAST], 1, agent=None), "tour 1: its agent's type is not named; there are 2 types"),
+    "too much load": (
+        [Tour((Visit(0, 2.5, (10.0, 0.0)), Visit(1, 7.0, (0.0, 10.0))), 9.5, 0), dataclasses.replace(ALONE[2])],
+        "tour 0: demands of 2.5 in all, above the capacity 2",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("damage", UNLIKE_DAMAGE)
+def test_damage_to_tours_of_types_is_rejected_and_named(damage):
+    tours, message = UNLIKE_DAMAGE[damage]
+    with pytest.raises(TourError, match=message) as caught:
+        check(UNLIKE, tours)
+    assert len(str(caught.value).splitlines()) == 1
+
+
+def test_a_load_that_is_full_to_the_last_bit_is_no_fault():
+    tenths = general(*(still(10, y, demand=0.1) for y in (0, 1, 2)), types=[agents(capacity=0.3)])
+    stops = tuple(Visit(u, 2.5 + u, (10.0, float(u))) for u in range(3))
+    assert check(tenths, [Tour(stops, 10.0)]) > 0
+
+
 def test_every_violation_is_listed():
     tours = _change(_change(_good(), 0, 0, time=16.0, position=(10.0, 16.0)), 1, return_time=101.0)
     with pytest.raises(TourError) as caught:
@@ -105,8 +161,9 @@ def test_the_checker_needs_no_solver_to_agree_with_a_tour_flown_by_hand(m):
 # --- Files -----------------------------------------------------------------------------------------------------------
 
 
-def test_a_tour_survives_its_json():
-    tour = _good()[0]
+@pytest.mark.parametrize("agent", [None, 0, 3])
+def test_a_tour_survives_its_json(agent):
+    tour = dataclasses.replace(_good()[0], agent=agent)
     assert Tour.from_dict(tour.to_dict()) == tour
 
 
