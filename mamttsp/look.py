@@ -3,7 +3,7 @@
 import numpy as np
 
 from .instance import Instance
-from .tours import as_tours
+from .tours import agents_of, as_tours
 from .validation import of_type
 
 _COLUMNS = ("tour", "order", "target", "time", "x", "y", "leg_length", "waited")
@@ -48,9 +48,10 @@ def plot(instance, solution=None, ax=None):
 
 def _rows(instance, tours):
     for k, tour in enumerate(tours):
-        place, time = instance.depot, 0.0
+        entry = agents_of(instance, tour)
+        place, time = entry.depot, 0.0
         for order, visit in enumerate(tour.visits):
             length = float(np.linalg.norm(np.subtract(visit.position, place)))
-            waited = visit.time - time - length / instance.max_speed
+            waited = visit.time - time - length / entry.max_speed
             yield k, order, visit.target, visit.time, *visit.position, length, max(waited, 0.0)
             place, time = visit.position, visit.time

@@ -138,6 +138,13 @@ def check(instance, tours, tolerance=TOLERANCE):
     return total
 
 
+def agents_of(instance, tour):
+    """Return the Agents, an entry of `instance.agents`, one of which flies the tour; InputError if it names none."""
+    if (entry := _type_of(instance, tour)) is None:
+        raise InputError(f"tours: agent {tour.agent} is not one of the {len(instance.agents)} types of agents, from 0")
+    return entry
+
+
 def _type_of(instance, tour):
     """Return the Agents entry of a tour, None if it names none."""
     if tour.agent is None:

@@ -5,7 +5,7 @@ import sys
 
 import matplotlib.pyplot as plt
 import pytest
-from examples import instance, moving, still
+from examples import agents, general, instance, moving, still
 
 import mamttsp
 from mamttsp import InputError, Solution, Tour, Visit
@@ -27,6 +27,12 @@ def test_each_visit_is_a_row():
     assert frame.iloc[0].tolist() == [0, 0, 1, 6.0, 0.0, 20.0, 20.0, 1.0]
     length = 104**0.5
     assert frame.iloc[1].tolist() == pytest.approx([2, 0, 0, 10.0, 10.0, 2.0, length, 10 - length / 4])
+
+
+def test_a_visit_of_a_fast_agent_from_its_own_depot():
+    unlike = general(*INSTANCE.targets, types=[agents(1), agents(1, (0.0, 50.0), 8.0)])
+    row = mamttsp.visits(unlike, [Tour((Visit(1, 6.0, (0.0, 20.0)),), 11.0, agent=1)]).iloc[0]
+    assert row.leg_length == 30.0 and row.waited == pytest.approx(6.0 - 30.0 / 8.0)
 
 
 def test_legs_and_ways_home_make_the_length():

@@ -100,7 +100,7 @@ UNLIKE_DAMAGE = {
     "too fast for its type": (_change([WEST_NORTH, EAST], 0, 1, time=5.0), "14.1.* units in 2.5 s, faster than max_speed 4"),
     "too fast even for the fast type": (_change([WEST_NORTH, EAST], 1, 0, time=3.7), "30 units in 3.7 s, faster than max_speed 8"),
     "a type used too often": (ALONE, "3 tours for 2 agents of type 0"),
-    "idle agents that are not there": ([WEST_NORTH, EAST, Tour((), 0.0, 1)], "2 tours for 1 agents of type 1"),
+    "idle agents that are not there": ([WEST_NORTH, EAST, Tour((), 0.0, 1)], "2 tours for 1 agent of type 1"),
     "a type that does not exist": (_change([WEST_NORTH, EAST], 1, agent=2), "tour 1: agent 2 does not exist; there are 2 types"),
     "a type below 0": (_change([WEST_NORTH, EAST], 1, agent=-1), "tour 1: agent -1 does not exist"),
     "no type": (_change([WEST_NORTH, EAST], 1, agent=None), "tour 1: its agent's type is not named; there are 2 types"),

@@ -11,11 +11,12 @@ from matplotlib.animation import FuncAnimation
 from PIL import Image
 
 from ..instance import Instance
-from ..tours import as_tours
+from ..tours import agents_of, as_tours
 from ..validation import counted, of_type, positive
+from .depots import depots
 from .plan import target_parts
 from .recording import PER_SECOND, Film, few_colours
-from .style import COLOURS, DEPOT, MARKERS, PATH, WINDOW
+from .style import COLOURS, MARKERS, PATH, WINDOW
 
 #: matplotlib's player takes its buttons' pictures from the network; these signs need none, and are in most fonts
 _SIGNS = {"minus": "−", "plus": "+", "pause": "||", "play": "▶", "play fa-flip-horizontal": "◀"}
@@ -43,8 +44,10 @@ def moment_view(instance, tours, time, ax=None):
         ax.plot(*flown.T, color=COLOURS[k % len(COLOURS)], linewidth=1.8, zorder=4)
         style = {"marker": MARKERS[k % len(MARKERS)], "color": COLOURS[k % len(COLOURS)], "linestyle": "none"}
         ax.plot(*flown[-1:].T, markersize=9, zorder=7, label=f"tour {k}", **style)
-    ax.plot(*instance.depot, **DEPOT)
-    corners = np.vstack([instance.depot, *(target.points for target in instance.targets)])
+    places = [place for place, _, _ in depots(instance)]
+    for place, style, _ in depots(instance):
+        ax.plot(*place, **style)
+    corners = np.vstack([*places, *(target.points for target in instance.targets)])
     margin = 0.04 * instance.size
     low, high = corners.min(axis=0) - margin, corners.max(axis=0) + margin
     ax.set(xlabel="x (units)", ylabel="y (units)", xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
@@ -87,8 +90,10 @@ def _draw_target(ax, u, place, open_windows):
 
 def _stops(instance, tour):
     """Return (times, stops): when and where (rows x, y) the agent's legs end, the depot first and last."""
+    entry = agents_of(instance, tour)
     times = [0.0, *(visit.time for visit in tour.visits), tour.return_time]
-    return np.array(times), np.array([instance.depot, *(visit.position for visit in tour.visits), instance.depot])
+    home = entry.end if tour.visits else entry.depot
+    return np.array(times), np.array([entry.depot, *(visit.position for visit in tour.visits), home])
 
 
 def _between(times, stops, time):

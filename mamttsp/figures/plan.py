@@ -6,9 +6,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from ..instance import Instance
-from ..tours import as_tours
+from ..tours import agents_of, as_tours
 from ..validation import counted, of_type
-from .style import COLOURS, DEPOT, LABEL, LINES, MARKERS, PATH, WINDOW, once
+from .depots import depots
+from .style import COLOURS, LABEL, LINES, MARKERS, PATH, WINDOW, once
 
 
 def plan_view(instance, tours=(), ax=None):
@@ -33,7 +34,8 @@ def plan_view(instance, tours=(), ax=None):
             ax.annotate("", **middle, arrowprops={"arrowstyle": "->", "color": style["color"]}, zorder=5)
     for visit, offset in _placed(_visits(tours), instance.size):
         ax.annotate(str(visit.target), visit.position, xytext=10 * offset, textcoords="offset points", **LABEL)
-    ax.plot(*instance.depot, **DEPOT, label="depot")
+    for place, style, label in depots(instance):
+        ax.plot(*place, **style, label=label)
     _count_idle(ax, instance, tours)
     ax.set(xlabel="x (units)", ylabel="y (units)", aspect="equal")
     ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0.0, frameon=False)
@@ -44,8 +46,8 @@ def space_time_view(instance, tours=(), ax=None):
     """Draw an instance in space and time, time upwards, with tours if there are any, and return the (3D) axes.
 
     A target's path is a line that rises as time goes on; a visit is where an agent's line touches it, inside a window.
-    tours: a Solution, or a sequence of Tour. Each is drawn at constant speed on each leg; the dotted upright line is
-    the depot. Colours and numbers as in plan_view. InputError: not an Instance, or no tours.
+    tours: a Solution, or a sequence of Tour. Each is drawn at constant speed on each leg; dotted upright lines are
+    depots and ends. Colours and numbers as in plan_view. InputError: not an Instance, or no tours.
     """
     tours = as_tours(tours)
     ax = ax or plt.figure(figsize=(8, 7), layout="constrained").add_subplot(projection="3d", computed_zorder=False)
@@ -57,8 +59,9 @@ def space_time_view(instance, tours=(), ax=None):
         ax.plot(*stops.T, **style, label=label)
     for visit in _visits(tours):
         ax.text(*visit.position, visit.time + 0.04 * instance.horizon, str(visit.target), **LABEL)
-    ax.plot(*np.tile(instance.depot, (2, 1)).T, [0, instance.horizon], color="black", linestyle=":", linewidth=1.0)
-    ax.plot(*instance.depot, 0.0, **DEPOT, label="depot")
+    for place, style, label in depots(instance):
+        ax.plot(*np.tile(place, (2, 1)).T, [0, instance.horizon], color="black", linestyle=":", linewidth=1.0)
+        ax.plot(*place, 0.0, **style, label=label)
     _count_idle(ax, instance, tours)
     ax.set(xlabel="x (units)", ylabel="y (units)", zlabel="time (s)", zlim=(0, instance.horizon))
     ax.legend(loc="upper left", bbox_to_anchor=(-0.08, 1.02), frameon=False)
@@ -84,11 +87,12 @@ def _flown(instance, tours):
     """Yield (stops, style, label) for each tour with a visit; stops as rows (x, y, t)."""
     for k, tour in enumerate(tours):
         if tour.visits:
+            entry = agents_of(instance, tour)
             stops = [(*visit.position, visit.time) for visit in tour.visits]
-            stops = [(*instance.depot, 0.0), *stops, (*instance.depot, tour.return_time)]
+            stops = [(*entry.depot, 0.0), *stops, (*entry.end, tour.return_time)]
             style = {"color": COLOURS[k % len(COLOURS)], "linestyle": LINES[k % len(LINES)], "marker": MARKERS[k % len(MARKERS)]}
             style |= {"linewidth": 1.8, "markersize": 6, "markevery": slice(1, -1), "zorder": 4}
-            yield np.array(stops), style, f"tour {k}"
+            yield np.array(stops), style, f"tour {k} (type {tour.agent})" if len(instance.agents) > 1 else f"tour {k}"
 
 
 def _count_idle(ax, instance, tours):

@@ -3,7 +3,7 @@
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
-from examples import instance, moving, still
+from examples import agents, general, instance, moving, still
 from matplotlib.colors import to_hex
 
 from mamttsp import InputError, Solution, Tour, Visit, build_graph
@@ -47,6 +47,21 @@ def _lines(ax, colour):
 def test_the_legend_names_everything_once_and_idle_agents_too(view):
     expected = ["target's path", "time window", "tour 0", "depot", "2 idle agents"]
     assert _legend(view(INSTANCE, TOURS)) == expected
+
+
+UNLIKE = general(*INSTANCE.targets, types=[agents(2), agents(1, (30.0, 0.0), 8.0, end=(0.0, 0.0)), agents(1, end=(9.0, 9.0))])
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_depots_ends_and_tours_of_types_are_told_apart(view):
+    tours = [Tour(TOURS[0].visits, 30.0, agent=1)]
+    ax = view(UNLIKE, tours)
+    places = ["depot of type 0, 2", "depot of type 1", "end of type 1", "end of type 2"]
+    assert _legend(ax) == ["target's path", "time window", "tour 0 (type 1)", *places, "3 idle agents"]
+    (flown,) = _lines(ax, COLOURS[0])
+    assert flown[[0, -1], :2].tolist() == [[30.0, 0.0], [0.0, 0.0]]
+    with pytest.raises(InputError, match="agent None is not one of the 3 types"):
+        view(UNLIKE, TOURS)
 
 
 @pytest.mark.parametrize("view", VIEWS)
