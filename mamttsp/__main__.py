@@ -10,7 +10,6 @@ from pathlib import Path
 from .agents import Agents
 from .backends import MODELERS, SOLVERS
 from .display import ProgressLine
-from .flow import FlowError
 from .generate import generate
 from .instance import Instance
 from .solution import Solution
@@ -35,12 +34,19 @@ def main(argv=None):
     except InputError as error:
         print(error, file=sys.stderr)
         return 2
-    except (FlowError, TourError) as error:
+    except (TourError, _flow_error()) as error:
         print(f"wrong: {error}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
         return 1
+
+
+def _flow_error():
+    """Return FlowError, imported only when something has gone wrong: `flow` takes its time."""
+    from .flow import FlowError
+
+    return FlowError
 
 
 def _generate(arguments):

@@ -3,12 +3,8 @@
 import dataclasses
 
 from .backends import METHODS, Options, backend, choose
-from .cut_loop import solve_without_cycles
-from .formulations import build_formulation
-from .graph import build_graph
 from .instance import Instance
 from .options import Clock
-from .plain_model import paper_solution
 from .solution import Solution
 from .tours import check
 from .validation import InputError, brief, of_type
@@ -54,13 +50,23 @@ def solve(
     if method not in METHODS:
         raise InputError(f"method: expected one of {', '.join(ALL_METHODS)}, found {brief(method)}")
     modeler, solver = choose(method, modeler, solver, plain=not subtour_cuts)
-    clock = Clock(time_limit)
+    found = _solve_formulation(instance, method, modeler, solver, prune, subtour_cuts, options)
+    return _checked(instance, found) if subtour_cuts else found
+
+
+def _solve_formulation(instance, method, modeler, solver, prune, subtour_cuts, options):
+    # Here, because the exact method does without them.
+    from .cut_loop import solve_without_cycles
+    from .formulations import build_formulation
+    from .graph import build_graph
+    from .plain_model import paper_solution
+
+    clock = Clock(options.time_limit)
     run = backend(solver).solve
     formulation = build_formulation(method, modeler, build_graph(instance, prune), instance.n_agents)
     if not subtour_cuts:
         return paper_solution(formulation, run, options)
-    found = solve_without_cycles(formulation, run, options, clock)
-    return _checked(instance, found)
+    return solve_without_cycles(formulation, run, options, clock)
 
 
 def _solve_exact(instance, options, modeler, solver, subtour_cuts):

@@ -7,7 +7,6 @@ from gurobipy import GRB
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN
 from .answer import licence_trouble
 from .lifted import Found, report, solve_lifted
-from .pyomo_plugin import solve_with_plugin
 
 #: Gurobi's error codes for no licence, a model beyond a trial licence, and a licence of another kind
 _LICENCE = (GRB.Error.NO_LICENSE, GRB.Error.SIZE_LIMIT_EXCEEDED, GRB.Error.CLOUD, GRB.Error.NETWORK)
@@ -18,6 +17,8 @@ def solve(formulation, options):
     """Solve a formulation of either modeler; SolverUnavailable without a licence that is large enough."""
     try:
         if formulation.modeler == "pyomo":
+            from .pyomo_plugin import solve_with_plugin
+
             return solve_with_plugin(formulation, options, "gurobi_direct", _plugin_options, _VERSION)
         return solve_lifted(formulation, options, _run)
     except gurobipy.GurobiError as error:

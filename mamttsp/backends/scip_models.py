@@ -10,7 +10,6 @@ from pathlib import Path
 
 import numpy as np
 import pyscipopt
-from pyomo.repn.plugins.nl_writer import NLWriter
 
 
 def ipopt_options():
@@ -20,6 +19,8 @@ def ipopt_options():
 
 def from_pyomo(model):
     """Hand over a Pyomo model (bilinear terms included) through an .nl file."""
+    from pyomo.repn.plugins.nl_writer import NLWriter
+
     scip = pyscipopt.Model()
     scip.hideOutput()
     with tempfile.TemporaryDirectory() as folder:

@@ -6,7 +6,6 @@ import xpress
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN
 from .answer import licence_trouble
 from .lifted import Found, report, solve_lifted
-from .pyomo_plugin import solve_with_plugin
 
 _VERSION = "xpress " + ".".join(xpress.__version__.split(".")[:2])
 _SIZE_LIMIT = "too many rows and columns"
@@ -17,6 +16,8 @@ def solve(formulation, options):
     """Solve a formulation of either modeler; SolverUnavailable without a licence that is large enough."""
     try:
         if formulation.modeler == "pyomo":
+            from .pyomo_plugin import solve_with_plugin
+
             return solve_with_plugin(formulation, options, "xpress_direct", _controls, _VERSION)
         return solve_lifted(formulation, options, _run)
     except (xpress.SolverError, xpress.InterfaceError, RuntimeError) as error:

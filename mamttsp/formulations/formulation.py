@@ -5,12 +5,9 @@ import importlib
 import time
 
 import numpy as np
-import pyomo.environ as pyo
-from pyomo.common.gc_manager import PauseGC
 
 from ..validation import InputError
 from .equations import EQUATIONS
-from .statistics import statistics
 
 MODELERS = ("pyomo", "cvxpy")
 
@@ -67,6 +64,8 @@ class Formulation(abc.ABC):
 
     def statistics(self):
         """Return the model's size as Statistics."""
+        from .statistics import statistics
+
         return statistics(self.model)
 
     @abc.abstractmethod
@@ -80,6 +79,8 @@ class PyomoFormulation(Formulation):
     modeler = "pyomo"
 
     def _builder(self):
+        from pyomo.common.gc_manager import PauseGC
+
         build = importlib.import_module(f".pyomo.{self.method}", __package__).build
 
         def build_without_collector(graph, n_agents):
@@ -92,8 +93,10 @@ class PyomoFormulation(Formulation):
         return np.array([y.value for y in self.model.y.values()], dtype=float)
 
     def _limit(self, edges, limit):
+        from pyomo.environ import quicksum
+
         y = np.array(list(self.model.y.values()), dtype=object).reshape(len(self.graph.edges), -1)
-        self.model.subtour_cuts.add(pyo.quicksum(y[edges].flat) <= limit)
+        self.model.subtour_cuts.add(quicksum(y[edges].flat) <= limit)
 
     def conic_program(self):
         from .pyomo.standard_form import standard_form
