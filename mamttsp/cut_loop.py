@@ -77,8 +77,8 @@ def _solution(formulation, record, status, found=None, gap=0.0):
     objective, tours, bound = None, (), record.bound
     if found is not None:
         objective, tours = found[0], tuple(found[1])
-        bound = _bound_below(objective, bound, formulation.graph.size)
-        status = _status(objective, bound, gap)
+        bound = bound_below(objective, bound, formulation.graph.size)
+        status = status_of(objective, bound, gap)
     return Solution(
         status=status,
         objective=objective,
@@ -94,7 +94,7 @@ def _solution(formulation, record, status, found=None, gap=0.0):
     )
 
 
-def _bound_below(objective, bound, size):
+def bound_below(objective, bound, size):
     """Return the bound, no greater than the objective; FlowError if it is greater by more than tolerances explain."""
     if bound is None or bound <= objective:
         return bound
@@ -103,7 +103,7 @@ def _bound_below(objective, bound, size):
     return objective
 
 
-def _status(objective, bound, gap):
+def status_of(objective, bound, gap):
     """The solver's own objective may be short by its tolerance, so the gap is judged on the tours' real length."""
     proved = relative_gap(objective, bound)
     return OPTIMAL if proved is not None and proved <= gap + BOUND_TOLERANCE else FEASIBLE

@@ -37,7 +37,8 @@ class Options:
 
     time_limit: s, None for none; gap: relative gap (a fraction) at which a solve is optimal; threads: at least 1;
     seed: of the solver's own random choices; verbose: let the solver print its log; progress: called with a Progress
-    now and then. A limit or KeyboardInterrupt ends a solve with what stands, never with an exception.
+    now and then; start: tours of the instance, checked, to begin from, or None. A limit or KeyboardInterrupt ends a
+    solve with what stands, never with an exception.
     """
 
     time_limit: float | None = None
@@ -46,6 +47,7 @@ class Options:
     seed: int = 0
     verbose: bool = False
     progress: Callable[[Progress], None] | None = None
+    start: tuple | None = None
 
     def __post_init__(self):
         if self.time_limit is not None:

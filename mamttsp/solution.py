@@ -28,7 +28,7 @@ class Solution:
     first, nothing found). objective: total length of the tours, None without tours; bound: proved lower bound on every
     solution, None if none is known; runtime: solver's wall time in s; build_time: time to build and hand over the
     model. tours: tuple of Tour; nodes: branch-and-bound nodes; subtour_cuts: cuts added against cycles that nobody
-    flies.
+    flies. reason: of an infeasible instance, why it is, or that nothing short says so; None else.
     """
 
     status: str
@@ -42,6 +42,7 @@ class Solution:
     build_time: float = 0.0
     nodes: int | None = None
     subtour_cuts: int = 0
+    reason: str | None = None
 
     @property
     def gap(self):
@@ -74,6 +75,7 @@ class Solution:
             "build_time_s": self.build_time,
             "nodes": self.nodes,
             "subtour_cuts": self.subtour_cuts,
+            "reason": self.reason,
             "tours": [tour.to_dict() for tour in self.tours],
         }
 
@@ -102,6 +104,7 @@ class Solution:
             build_time=data.get("build_time_s", 0.0),
             nodes=data.get("nodes"),
             subtour_cuts=data.get("subtour_cuts", 0),
+            reason=data.get("reason"),
         )
 
     def write(self, path):

@@ -28,6 +28,7 @@ def _rows(solution):
     built = f" (after {solution.build_time:.2f} s to build the model)" if solution.modeler else ""
     rows = [
         ("status", solution.status),
+        *([("reason", solution.reason)] if solution.reason else []),
         ("method", f"{solution.method}, {solution.modeler}" if solution.modeler else solution.method),
         ("solver", solution.solver),
         ("objective", number(solution.objective)),

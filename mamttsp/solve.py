@@ -5,7 +5,8 @@ import dataclasses
 from .backends import METHODS, Options, backend, choose
 from .instance import Instance
 from .options import Clock
-from .solution import Solution
+from .solution import INFEASIBLE, Solution
+from .start import begin_with, no_longer
 from .tours import check
 from .validation import InputError, brief, of_type
 
@@ -26,6 +27,7 @@ def solve(
     progress=None,
     prune=False,
     subtour_cuts=True,
+    start=None,
 ) -> Solution:
     """Return a Solution of the instance, its tours checked.
 
@@ -38,20 +40,23 @@ def solve(
     subtour_cuts: cut off the cycles that a formulation accepts and nobody flies, and solve again until none is left.
     With False the paper's model is solved once as it stands, and the answer is a PaperSolution.
 
+    start: a Solution of this instance, or its tours, to begin from, for "exact" and the solvers in backends.STARTS. The
+    answer is never longer than they are.
+
     A limit, or Ctrl-C, is a status and never an exception. InputError: a bad argument, or a solver that cannot be used
     here; FlowError: the solver's answer contradicts itself.
     """
     of_type("instance", instance, Instance)
     if not instance.plain:
         raise InputError("instance: types of agents, ends of their own, capacities and demands cannot be solved yet")
-    options = Options(time_limit, gap, threads, seed, verbose, progress)
+    options = Options(time_limit, gap, threads, seed, verbose, progress, begin_with(instance, start))
     if method == "exact":
         return _solve_exact(instance, options, modeler, solver, subtour_cuts)
     if method not in METHODS:
         raise InputError(f"method: expected one of {', '.join(ALL_METHODS)}, found {brief(method)}")
-    modeler, solver = choose(method, modeler, solver, plain=not subtour_cuts)
+    modeler, solver = choose(method, modeler, solver, plain=not subtour_cuts, start=start is not None)
     found = _solve_formulation(instance, method, modeler, solver, prune, subtour_cuts, options)
-    return _checked(instance, found) if subtour_cuts else found
+    return _finished(instance, found, options) if subtour_cuts else _explained(instance, found)
 
 
 def _solve_formulation(instance, method, modeler, solver, prune, subtour_cuts, options):
@@ -77,11 +82,23 @@ def _solve_exact(instance, options, modeler, solver, subtour_cuts):
         raise InputError('subtour_cuts: False leaves out the cuts of a formulation, and method "exact" has none')
     from .exact import solve_exact
 
-    return _checked(instance, solve_exact(instance, options))
+    return _finished(instance, solve_exact(instance, options), options)
 
 
-def _checked(instance, solution):
-    """Return the solution once `check` agrees with its tours; TourError with the reason if it does not."""
-    if not solution.tours:
+def _finished(instance, solution, options):
+    """Return the solution once `check` agrees with its tours, no longer than those it began from; TourError with the
+    reason if `check` does not agree."""
+    if solution.tours:
+        solution = dataclasses.replace(solution, objective=check(instance, solution.tours))
+    if options.start is not None:
+        solution = no_longer(instance, solution, options.start, options.gap)
+    return _explained(instance, solution)
+
+
+def _explained(instance, solution):
+    """Return the solution, with the reason why there are no tours if that is proved."""
+    if solution.status != INFEASIBLE:
         return solution
-    return dataclasses.replace(solution, objective=check(instance, solution.tours))
+    from .infeasibility import NO_SHORT_REASON, why_infeasible  # here: few instances need it
+
+    return dataclasses.replace(solution, reason=why_infeasible(instance) or NO_SHORT_REASON)

@@ -76,21 +76,21 @@ def _finite(value):
     return float(value)
 
 
-def as_tours(tours):
+def as_tours(tours, name="tours"):
     """Return the tours of a Solution, or those in a sequence of Tour, as a tuple; InputError if it is neither."""
     given = getattr(tours, "tours", tours)
     if isinstance(given, (str, bytes, dict)) or not isinstance(given, Iterable):
-        raise InputError(f"tours: expected a Solution or a list of Tours, found {brief(tours)}")
+        raise InputError(f"{name}: expected a Solution or a list of Tours, found {brief(tours)}")
     given = tuple(given)
     for k, tour in enumerate(given):
         if not isinstance(tour, Tour) or not isinstance(tour.visits, (tuple, list)) or not _real(tour.return_time):
-            raise InputError(f"tours[{k}]: expected a Tour, its visits a tuple and return_time in s, found {brief(tour)}")
+            raise InputError(f"{name}[{k}]: expected a Tour, its visits a tuple and return_time in s, found {brief(tour)}")
         if tour.agent is not None and (isinstance(tour.agent, bool) or not isinstance(tour.agent, Integral)):
-            raise InputError(f"tours[{k}].agent: expected a whole number or None, found {brief(tour.agent)}")
+            raise InputError(f"{name}[{k}].agent: expected a whole number or None, found {brief(tour.agent)}")
         for i, visit in enumerate(tour.visits):
             if not _is_visit(visit):
                 expected = "a Visit, its target a whole number, time in s and position (x, y)"
-                raise InputError(f"tours[{k}].visits[{i}]: expected {expected}, found {brief(visit)}")
+                raise InputError(f"{name}[{k}].visits[{i}]: expected {expected}, found {brief(visit)}")
     return given
 
 

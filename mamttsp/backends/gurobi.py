@@ -37,6 +37,8 @@ def _run(program, cones, options, clock):
         kinds = np.where(program.integer, GRB.INTEGER, GRB.CONTINUOUS)
         x = model.addMVar(len(program.c), program.lower, program.upper, program.c, kinds)
         model.addMConstr(program.A, x, program.senses, program.b)
+        if options.start:
+            x.Start = program.read()
         for cone in cones:
             model.addConstr(x[cone[1:]] @ x[cone[1:]] <= x[cone[0]] * x[cone[0]])
         for name, value in _plugin_options(options, clock.left).items():

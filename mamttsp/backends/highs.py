@@ -6,6 +6,7 @@ held fixed, give an incumbent once enough tangents have been added for the cones
 
 import highspy
 
+from ..formulations.points import begin_from
 from ..options import Clock, Progress
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, known_length, relative_gap
 from .answer import Answer
@@ -20,6 +21,9 @@ def solve(formulation, options):
     """Solve a cvxpy formulation by outer approximation; the point found is loaded into its problem."""
     clock = Clock(options.time_limit)
     search = _Search(formulation.conic_program(), options, clock)
+    if options.start:
+        begin_from(formulation, options.start)
+        search.take(search.program.read())
     status = search.run()
     flow = None
     if search.best is not None:
@@ -41,7 +45,7 @@ class _Search:
         """Alternate between the master and the tangents it lacks, until the gap is closed or a limit comes."""
         self.master.add(*self.cones.first())
         while not self.clock.over:
-            status, x, bound = self.master.solve(self.clock)
+            status, x, bound = self.master.solve(self.clock, self.best)
             self.nodes += max(self.master.highs.getInfo().mip_node_count, 0)
             if status == highspy.HighsModelStatus.kInfeasible:
                 return INFEASIBLE
@@ -60,13 +64,14 @@ class _Search:
         for _ in range(_FIXED_ROUNDS):
             R, upper = self.cones.violated(x)
             if not len(upper):
-                return self._take(x)
+                return self.take(x)
             self.master.add(R, upper)
             x = self.master.solve_fixed(x, self.clock)
             if x is None:
                 return None
 
-    def _take(self, x):
+    def take(self, x):
+        """Keep a point of the cones and all rows if it is better than the best so far."""
         objective = known_length(self.program.c @ x)
         if self.objective is None or objective < self.objective:
             self.best, self.objective = x, objective

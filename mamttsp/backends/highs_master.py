@@ -28,10 +28,14 @@ class Master:
             lower = np.full(len(upper), -highspy.kHighsInf)
             self.highs.addRows(len(upper), lower, upper, R.nnz, R.indptr[:-1], R.indices, R.data)
 
-    def solve(self, clock):
-        """Solve as it stands; return (status, x or None, lower bound)."""
+    def solve(self, clock, start=None):
+        """Solve as it stands, from a point if there is one; return (status, x or None, lower bound)."""
         for tolerance in _TOLERANCES:
             self.highs.setOptionValue("mip_feasibility_tolerance", tolerance)
+            if start is not None:
+                solution = highspy.HighsSolution()
+                solution.col_value = start
+                self.highs.setSolution(solution)
             x = self._run(clock, relaxed=False)
             if self.highs.getModelStatus() != highspy.HighsModelStatus.kInfeasible:
                 break

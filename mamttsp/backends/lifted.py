@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..formulations.points import begin_from
 from ..options import Clock, Progress
 from ..solution import known_length, relative_gap
 from .answer import Answer
@@ -23,6 +24,8 @@ def solve_lifted(formulation, options, run):
     """Solve a cvxpy formulation with `run(program, cones, options, clock) -> Found` and return the Answer."""
     clock = Clock(options.time_limit)
     program, cones = formulation.conic_program().lifted()
+    if options.start:
+        begin_from(formulation, options.start)
     found = run(program, cones, options, clock)
     objective = flow = None
     if found.x is not None:

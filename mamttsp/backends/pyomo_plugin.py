@@ -3,6 +3,7 @@
 import pyomo.environ as pyo
 from pyomo.opt import TerminationCondition
 
+from ..formulations.points import begin_from
 from ..options import Clock
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, known_length
 from .answer import Answer, SolverUnavailable
@@ -21,7 +22,11 @@ def solve_with_plugin(formulation, options, plugin, settings, solver):
     if not factory.available(exception_flag=False):
         raise SolverUnavailable(f"solver: {plugin} is not available: the package or its licence is missing")
     factory.options.update(settings(options, clock.left))
-    results = factory.solve(formulation.model, tee=options.verbose, load_solutions=False)
+    begin = {}
+    if options.start:
+        begin_from(formulation, options.start)
+        begin["warmstart"] = True
+    results = factory.solve(formulation.model, tee=options.verbose, load_solutions=False, **begin)
     objective = flow = None
     if len(results.solution) and results.solution(0).variable:
         formulation.model.solutions.load_from(results)

@@ -3,6 +3,7 @@
 import pyscipopt
 from pyscipopt import SCIP_EVENTTYPE
 
+from ..formulations.points import begin_from
 from ..options import Clock, Progress
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, known_length, relative_gap
 from .answer import Answer
@@ -21,7 +22,10 @@ def solve(formulation, options):
     """
     clock = Clock(options.time_limit)
     pyomo = formulation.modeler == "pyomo"
-    scip, load = from_pyomo(formulation.model) if pyomo else from_conic(formulation.conic_program())
+    scip, load, offer = from_pyomo(formulation.model) if pyomo else from_conic(formulation.conic_program())
+    if options.start:
+        begin_from(formulation, options.start)
+        offer()
     with ipopt_options() as path:
         _set_parameters(scip, options, path, clock.left)
         watch = _Watch(options.progress, clock)

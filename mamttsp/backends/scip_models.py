@@ -1,7 +1,7 @@
 """From a Pyomo model or a conic program to a SCIP model, by public routes that leave SCIP in our hands.
 
-Each converter returns (scip, load): the PySCIPOpt model, and a function that loads a solution of it into the
-variables of the model it came from.
+Each converter returns (scip, load, offer): the PySCIPOpt model; a function that loads a solution of it into the
+variables of the model it came from; and one that offers SCIP the values that these variables have, to begin from.
 """
 
 import importlib.resources
@@ -36,7 +36,10 @@ def from_pyomo(model):
         for column, variable in enumerate(written.variables):
             variable.set_value(scip.getSolVal(solution, columns[column]), skip_validation=True)
 
-    return scip, load
+    def offer():
+        _offer(scip, ((columns[column], variable.value) for column, variable in enumerate(written.variables)))
+
+    return scip, load, offer
 
 
 def from_conic(program):
@@ -51,21 +54,34 @@ def from_conic(program):
     for row in range(program.n_linear):
         body = _row(program.A, row, x)
         scip.addCons(body == program.b[row] if row < program.n_zero else body <= program.b[row])
-    for first in range(program.n_linear, len(program.b), 3):
-        _add_cone(scip, program, range(first, first + 3), x)
+    slacks = [_add_cone(scip, program, range(row, row + 3), x) for row in range(program.n_linear, len(program.b), 3)]
 
     def load(solution):
         program.load([scip.getSolVal(solution, variable) for variable in x])
 
-    return scip, load
+    def offer():
+        point = program.read()
+        cones = (program.b - program.A @ point)[program.n_linear :]
+        _offer(scip, zip([*x, *(slack for cone in slacks for slack in cone)], np.concatenate([point, cones])))
+
+    return scip, load, offer
+
+
+def _offer(scip, values):
+    """Let SCIP begin from a point, given as (variable, value) pairs; SCIP itself looks whether it is feasible."""
+    solution = scip.createSol()
+    for variable, value in values:
+        scip.setSolVal(solution, variable, value)
+    scip.addSol(solution)
 
 
 def _add_cone(scip, program, rows, x):
-    """Add ||w_1, w_2, ...|| <= w_0 for the slacks w = b - A x of these rows."""
+    """Add ||w_1, w_2, ...|| <= w_0 for the slacks w = b - A x of these rows, and return these variables."""
     w = [scip.addVar(lb=None if k else 0.0) for k in range(len(rows))]
     for row, slack in zip(rows, w):
         scip.addCons(_row(program.A, row, x) + slack == program.b[row])
     scip.addCons(pyscipopt.quicksum(part * part for part in w[1:]) <= w[0] * w[0])
+    return w
 
 
 def _row(A, row, x):

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from ..flow import read_flow
+from ..formulations.points import routes_of
 from ..timing import best_tours
 from .rounding import round_flow
 
@@ -16,6 +17,10 @@ class BestFound:
         self.graph, self.n_agents = graph, n_agents
         self.length, self.flow = math.inf, None
         self._tried = set()
+
+    def begin_from(self, tours):
+        """Take the tours, at the best times for their order."""
+        self._take(routes_of(self.graph, tours))
 
     def near(self, y, alive):
         """Try tours near the flow y (|E|,) on the edges in `alive`."""

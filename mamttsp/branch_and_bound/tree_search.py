@@ -33,6 +33,8 @@ class TreeSearch:
         self.current = 0.0  # bound of the node at hand; 0 is a bound of every length
         self.closed = math.inf  # least bound at which something was given up for being no better than the incumbent
         self.best = BestFound(self.graph, self.n_agents)
+        if options.start:
+            self.best.begin_from(options.start)
         self.nodes = self.cuts = 0
 
     @property

@@ -13,7 +13,7 @@ class ConicProgram:
 
     The first `n_zero` rows are zero, the next `n_nonneg` at least zero, and the rest come in triples (head, x, y) with
     head >= ||(x, y)||. columns: dict from a variable's name to the array of its columns, edges (or nodes) first; load:
-    puts a point x into the variables of the model. A constant term of the objective is left out: ours have none.
+    puts a point x into the variables of the model; read: returns the point of the values that they have. A constant term of the objective is left out: ours have none.
     """
 
     c: np.ndarray
@@ -26,6 +26,7 @@ class ConicProgram:
     integer: np.ndarray
     columns: dict
     load: Callable
+    read: Callable
 
     @property
     def n_linear(self):
@@ -83,5 +84,10 @@ class ConicProgram:
             integer=np.concatenate([self.integer, np.zeros(q, dtype=bool)]),
             columns=self.columns,
             load=lambda x: self.load(x[:n]),
+            read=self._read_lifted,
         )
         return program, np.arange(n, n + q).reshape(-1, 3)
+
+    def _read_lifted(self):
+        x = self.read()
+        return np.concatenate([x, (self.b - self.A @ x)[self.n_linear :]])

@@ -8,10 +8,9 @@ import itertools
 from typing import NamedTuple
 
 import numpy as np
-import pyomo.environ as pyo
 
 from ..flow import read_flow
-from ..timing import to_tour
+from ..timing import best_tours, to_tour
 from ..tours import Visit
 from ..validation import InputError, counted
 
@@ -29,16 +28,37 @@ def assign(formulation, tours, cycles=()):
         _set(getattr(formulation.model, name), np.asarray(value, dtype=float))
 
 
+def begin_from(formulation, tours):
+    """Give every variable its value for the tours' orders of segments, flown at their best times.
+
+    The times of the tours as given may hold only within the checker's tolerance, which is wider than a solver's. Where
+    their orders cannot be flown to the last digit they are taken as they are, for the solver to judge.
+    """
+    graph = formulation.graph
+    best = best_tours(graph, [list(route) for route in routes_of(graph, tours)])
+    assign(formulation, tours if best is None else best[1])
+
+
+def routes_of(graph, tours):
+    """Return the route (tuple of segments) of each tour that makes a visit."""
+    return [tuple(segment_of(graph, visit.target, visit.time) for visit in tour.visits) for tour in tours if tour.visits]
+
+
 def _set(variable, value):
     """Set a Pyomo variable, a cvxpy variable, or a list of two, one for each coordinate (the last axis of `value`)."""
     if isinstance(variable, list):
         for axis, part in enumerate(variable):
             part.value = value[..., axis]
-    elif isinstance(variable, pyo.Var):
+    elif _is_pyomos(variable):
         for component, number in zip(variable.values(), value.flat, strict=True):
             component.set_value(float(number))
     else:
         variable.value = value
+
+
+def _is_pyomos(variable):
+    """Told apart so, because cvxpy's formulations do without Pyomo."""
+    return hasattr(variable, "values")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -165,7 +185,7 @@ def _visit_times(formulation, y):
 
 def _values(variable, rows):
     """Return the values of a Pyomo or cvxpy variable as an array with this many rows."""
-    if isinstance(variable, pyo.Var):
+    if _is_pyomos(variable):
         values = [component.value for component in variable.values()]
     else:
         values = variable.value

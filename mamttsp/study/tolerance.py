@@ -12,7 +12,7 @@ def solve_with_tolerance(formulation, feastol, presolve=True):
     1e-6); presolve: let SCIP rewrite the model first. status: SCIP's own word. There is no limit of time: for small
     instances only.
     """
-    scip, load = from_pyomo(formulation.model)
+    scip, load, _ = from_pyomo(formulation.model)
     with ipopt_options() as path:
         scip.setParam("nlpi/ipopt/optfile", str(path))
         scip.setParam("limits/gap", 1e-4)

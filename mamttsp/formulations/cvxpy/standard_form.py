@@ -23,6 +23,14 @@ def standard_form(model):
         point = {"status": "optimal", "value": data["c"] @ x, "primal": np.asarray(x)}
         problem.unpack_results(point | {"solve_time": 0.0, "num_iters": 0}, chain, inverse_data)
 
+    columns = _columns(problem, load, size) | {"y": np.flatnonzero(binary).reshape(model.y.shape, order="F")}
+
+    def read():
+        x = np.zeros(size)
+        for variable in problem.variables():
+            x[columns[variable.name()]] = variable.value
+        return x
+
     return ConicProgram(
         c=data["c"],
         A=sparse.csr_array(data["A"]),
@@ -32,8 +40,9 @@ def standard_form(model):
         lower=np.where(binary, np.maximum(lower, 0.0), lower),
         upper=np.where(binary, np.minimum(upper, 1.0), upper),
         integer=binary | whole,
-        columns=_columns(problem, load, size) | {"y": np.flatnonzero(binary).reshape(model.y.shape, order="F")},
+        columns=columns,
         load=load,
+        read=read,
     )
 
 

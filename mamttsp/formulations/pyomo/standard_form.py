@@ -45,6 +45,7 @@ def standard_form(model):
         integer=np.array([x.is_integer() for x in form.columns]),
         columns=columns,
         load=load,
+        read=lambda: np.array([variable.value for variable in form.columns], dtype=float),
     )
 
 
