@@ -9,9 +9,12 @@ import pytest
 from examples import instance, still
 from oracle import optimum
 
-from mamttsp import Agents, Instance, Progress, Solution
+from mamttsp import Agents, Instance, Progress, Solution, Tour, Visit
 from mamttsp.__main__ import main
+from mamttsp.arguments import parser
 from mamttsp.display import ProgressLine, format_progress
+
+EAST, NORTH = Tour((Visit(0, 2.5, (10.0, 0.0)),), 5.0), Tour((Visit(1, 2.5, (0.0, 10.0)),), 5.0)
 
 
 @pytest.fixture
@@ -108,7 +111,7 @@ def test_options_reach_solve(problem, monkeypatch):
     del seen["progress"]
     assert seen == {
         "method": "baseline", "modeler": "cvxpy", "solver": "scip", "time_limit": 9.0, "gap": 0.1,
-        "threads": 2, "seed": 3, "prune": True, "verbose": True,
+        "threads": 2, "seed": 3, "prune": True, "verbose": True, "start": None,
     }  # fmt: skip
 
 
@@ -167,6 +170,80 @@ def test_a_missing_solver_is_exit_status_2_and_one_line(problem, monkeypatch, ca
     monkeypatch.delitem(sys.modules, "mamttsp.backends.mosek", raising=False)
     assert main(["solve", problem, "--method", "micp", "--solver", "mosek"]) == 2
     assert "solver: mosek is not installed" in _one_line(capsys)
+
+
+def test_one_agent_is_one_agent(tmp_path, capsys):
+    problem = str(tmp_path / "i.json")
+    assert main(["generate", "--targets", "1", "--window", "20", "-o", problem]) == 0
+    assert capsys.readouterr().out == f"{problem}: 1 target, 1 agent\n"
+
+
+def test_a_solve_begins_from_a_solution(problem, tmp_path, capsys):
+    answer = str(tmp_path / "s.json")
+    run = ["solve", problem, "--method", "micp", "--solver", "scip", "--quiet"]
+    assert main([*run, "-o", answer]) == 0 and main([*run, "--start", answer]) == 0
+    instance(still(10, 0), still(0, 20)).write(problem)
+    assert main([*run, "--start", answer]) == 2
+    assert "start: no solution of this instance: " in _one_line(capsys)
+    assert main([*run, "--start", "nowhere.json"]) == 2
+    assert "nowhere.json: cannot be read" in _one_line(capsys)
+
+
+def test_an_infeasible_instance_is_told_why(tmp_path, capsys):
+    path = str(tmp_path / "i.json")
+    instance(still(40, 0, [(0, 5)])).write(path)
+    assert main(["solve", path, "--method", "micp", "--solver", "scip"]) == 1
+    reason = "no agent can be at target 0 in a window, the last of which closes at 5 s"
+    assert f"status        infeasible\nreason        {reason}\n" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("suffix, start", [("png", b"\x89PNG"), ("pdf", b"%PDF"), ("svg", b"<?xml"), ("gif", b"GIF89a")])
+def test_plot_draws_an_instance_and_a_solution(suffix, start, problem, tmp_path, capsys):
+    answer, picture = str(tmp_path / "s.json"), tmp_path / f"p.{suffix}"
+    Solution("feasible", 40.0, None, 1.0, (EAST, NORTH), "exact", "none").write(answer)
+    assert main(["plot", problem, answer, "-o", str(picture)]) == 0
+    assert picture.read_bytes().startswith(start) and capsys.readouterr().out == f"{picture}\n"
+
+
+def test_plot_draws_an_instance_alone(problem, tmp_path):
+    assert main(["plot", problem, "-o", str(tmp_path / "p.png")]) == 0
+    assert [path.name for path in tmp_path.iterdir() if path.suffix != ".json"] == ["p.png"]
+
+
+@pytest.mark.parametrize(
+    "picture, message",
+    [
+        ("p.gif", "p.gif: a film shows tours; give a solution"),
+        ("p.doc", "p.doc: expected one of .pdf"),
+        ("no/folder/p.png", "there is no folder"),
+    ],
+)
+def test_a_picture_that_cannot_be_is_one_line(picture, message, problem, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["plot", problem, "-o", picture]) == 2
+    assert message in _one_line(capsys)
+
+
+def _subparsers():
+    whole = parser()
+    return next(action for action in whole._actions if action.dest == "command").choices
+
+
+@pytest.mark.parametrize("command", _subparsers())
+def test_every_help_shows_every_default(command, capsys):
+    for action in _subparsers()[command]._actions:
+        if not action.required and action.nargs != 0:
+            assert ("(default: " if action.default is None else "(default: %(default)s") in action.help, action.dest
+    with pytest.raises(SystemExit) as ended:
+        main([command, "--help"])
+    assert ended.value.code == 0 and capsys.readouterr().out.startswith(f"usage: mamttsp {command}")
+
+
+def test_the_numbers_in_a_help_are_those_that_are_used(capsys):
+    with pytest.raises(SystemExit):
+        main(["solve", "--help"])
+    assert "(default: 0.0001)" in " ".join(capsys.readouterr().out.split())
+    assert parser().parse_args(["solve", "i.json"]).gap == 0.0001
 
 
 def test_versions_name_the_package_the_solvers_and_the_machine(capsys):

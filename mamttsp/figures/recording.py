@@ -6,6 +6,7 @@ import os
 import shutil
 import subprocess
 from pathlib import Path
+from typing import ClassVar
 
 from PIL import Image
 
@@ -21,6 +22,8 @@ class Film:
 
     html: a page with the player, which needs no network; frames: its pictures as PNG, in bytes.
     """
+
+    SUFFIXES: ClassVar = (".gif", ".mp4", ".html")
 
     html: str = dataclasses.field(repr=False)
     frames: tuple = dataclasses.field(repr=False)
@@ -41,7 +44,7 @@ class Film:
         mamttsp.validation.InputError: tours.avi: a film is saved as .gif, .mp4 or .html
         """
         path = Path(of_type("path", path, (str, os.PathLike)))
-        writers = {".gif": self._write_gif, ".mp4": self._write_mp4, ".html": self._write_html}
+        writers = dict(zip(self.SUFFIXES, (self._write_gif, self._write_mp4, self._write_html)))
         if path.suffix.lower() not in writers:
             raise InputError(f"{path}: a film is saved as .gif, .mp4 or .html")
         try:

@@ -7,10 +7,10 @@ from dataclasses import asdict
 from functools import partial
 
 from joblib import Parallel, delayed
-from tqdm import tqdm
 
 from ...backends import backend
 from ...validation import InputError, positive, whole
+from .bar import campaign_bar
 from .process import run_apart
 from .provenance import now, provenance
 from .results import Results
@@ -38,7 +38,7 @@ def campaign(runs, path, jobs=None, memory_limit=MEMORY_LIMIT, quiet=False, comm
         backend(solver)
     with Results(path) as results:
         left = _without_row(runs, results)
-        with tqdm(total=len(runs), initial=len(runs) - len(left), unit="run", disable=quiet) as bar:
+        with campaign_bar(len(runs), len(runs) - len(left), quiet) as bar:
             ours = (run for run in left if results.claim(key_of(asdict(run))))
             rows = rows_of(ours, memory_limit=memory_limit, command=command, bar=bar)
             with contextlib.closing(rows):  # whatever goes wrong here, the processes are ended

@@ -72,7 +72,7 @@ main({_command(path, "smoke")})"""
     monkeypatch.setattr(runs, "_SMOKE", (("micp", "clarabel"),))
     assert main([*_command(path, "smoke")[:-1], "--jobs", "2"]) == 0
     out, err = capsys.readouterr()
-    assert out == f"{path}: 2 of 2 runs: 2 optimal\n" and "2/2" in err
+    assert out == f"{path}: 2 of 2 runs: 2 optimal\n" and err.startswith("2 of 2 runs after ")
     assert path.read_bytes().startswith(before) and len(read_rows(path)) == 2
     for row in read_rows(path):
         length = check(paper_instance(5, 0, 20, int(row["agents"])), tours_of(row))
