@@ -29,10 +29,11 @@ class Routes(NamedTuple):
 def read_flow(graph, flow):
     """Return the Routes in a flow (|E|,) of y summed over the agents; FlowError if it is not what (2)-(5) demand."""
     used = nx.DiGraph(map(tuple, graph.edges[flow > 0.5].tolist()))
-    used.add_nodes_from((graph.s, graph.s_prime))  # with (2) and (3) all agents may stay at home
+    depots = list(zip(graph.starts.tolist(), graph.ends.tolist()))
+    used.add_nodes_from(sum(depots, ()))  # with (2) and (3) all agents may stay at home
     _check_degrees(graph, used)
-    paths = tuple(_follow(used, first, graph.s_prime) for first in used.successors(graph.s))
-    off = used.subgraph(set(used) - {graph.s, graph.s_prime}.union(*paths))
+    paths = tuple(_follow(used, first, end) for start, end in depots for first in used.successors(start))
+    off = used.subgraph(set(used).difference(*depots, *paths))
     cycles = tuple(_follow(off, min(cycle), min(cycle)) for cycle in nx.strongly_connected_components(off))
     return Routes(paths, cycles)
 

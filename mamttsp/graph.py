@@ -7,12 +7,16 @@ one layer, is still a path of the paper's kind, and all that is said of nodes an
 
 import dataclasses
 import functools
+import math
 
 import numpy as np
 
 from .instance import Instance
 from .motion import TIME_SLACK
 from .validation import InputError, of_type
+
+#: relative slack within which a sum of demands is no more than a capacity
+LOAD_SLACK = 1e-9
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -22,9 +26,10 @@ class Graph:
     t_lo, t_hi: (|V|,) start and end time of each node in s; p_lo, p_hi: (|V|, 2) positions there; v: (|V|, 2)
     velocities. tau: (|V|,) the target of each segment, -1 for s and s'. edges: (|E|, 2) pairs (i, j).
     horizon: T; size: the diagonal of depots, ends and paths; R: the baseline's big-M, the instance's own or else `size`.
-    K types of agents have layers one after the other: kind: (|V|,) the type of each node; speeds: (K,) v_max of each
-    type; capacities: (K,) infinity without a limit; demands: (n,).
-    numbered: whether tours name their type (an instance that is not `plain`).
+
+    Of K layers, one after the other, and their agents: layer: (|V|,) the layer of each node; types: (K,) which entry of
+    `Instance.agents`; counts: (K,) how many; speeds: (K,) v_max; capacities: (K,) infinity without a limit. demands:
+    (n,). numbered: whether tours name their type, as those of an instance that is not `plain` do.
     """
 
     t_lo: np.ndarray
@@ -37,7 +42,9 @@ class Graph:
     horizon: float
     size: float
     R: float
-    kind: np.ndarray
+    layer: np.ndarray
+    types: np.ndarray
+    counts: np.ndarray
     speeds: np.ndarray
     capacities: np.ndarray
     demands: np.ndarray
@@ -45,13 +52,13 @@ class Graph:
 
     @functools.cached_property
     def starts(self):
-        """(K,) the depot s of each type, the first node of its layer."""
-        return np.flatnonzero(np.r_[True, np.diff(self.kind) != 0])
+        """(K,) the depot s of each layer, its first node."""
+        return np.searchsorted(self.layer, np.arange(self.n_layers))
 
     @functools.cached_property
     def ends(self):
-        """(K,) the end s' of each type, the last node of its layer."""
-        return np.flatnonzero(np.r_[np.diff(self.kind) != 0, True])
+        """(K,) the end s' of each layer, its last node."""
+        return np.searchsorted(self.layer, np.arange(self.n_layers), side="right") - 1
 
     @property
     def s(self):
@@ -63,17 +70,22 @@ class Graph:
 
     @property
     def max_speed(self):
-        """v_max, where there is one type of agents."""
+        """v_max, where there is one layer."""
         return float(_only(self.speeds))
 
     @property
-    def n_types(self):
-        return len(self.speeds)
+    def n_layers(self):
+        return len(self.types)
+
+    @property
+    def room(self):
+        """(K,) what an agent of each layer can carry: its capacity or all demands, and what rounding may add."""
+        return np.minimum(self.capacities, self.demands.sum()) * (1.0 + LOAD_SLACK)
 
     @property
     def loaded(self):
         """Whether the demands exceed some capacity, so that loads matter."""
-        return bool((self.demands.sum() > self.capacities).any())
+        return bool((self.room < self.demands.sum()).any())
 
     @property
     def V_seg(self):
@@ -100,29 +112,35 @@ class Graph:
         return self.p_lo[i] + (t - self.t_lo[i]) * self.v[i]
 
 
-def build_graph(instance, prune=False):
-    """Return the Graph of an instance. `prune` leaves out the edges that no agent could fly in time.
+def build_graph(instance, prune=False, by_agent=False):
+    """Return the Graph of an instance, with a layer for each type of agents, or with `by_agent` for each agent.
 
-    Pruning never changes an optimum: targets are slower than agents, so an agent that leaves i at its start and
-    cannot reach the end of j in time cannot reach j at all, from any time in i.
+    prune: leave out the edges that no agent of the layer could fly in time, or for lack of capacity. It never changes
+    an optimum: targets are slower than agents, so an agent that leaves i at its start and cannot reach the end of j in
+    time cannot reach j at all, from any time in i.
     """
     of_type("instance", instance, Instance)
+    types = np.repeat(np.arange(len(instance.agents)), instance.counts if by_agent else 1)
+    entries = [instance.agents[number] for number in types]
     V_seg = [(*segment, u) for u, target in enumerate(instance.targets) for segment in segments(target)]
-    layers = [[_stop(entry.depot, 0.0), *V_seg, _stop(entry.end, instance.horizon)] for entry in instance.agents]
-    t_lo, t_hi, p_lo, p_hi, v, tau = (np.array(column) for column in zip(*sum(layers, [])))
+    rows = [[_stop(entry.depot, 0.0), *V_seg, _stop(entry.end, instance.horizon)] for entry in entries]
+    t_lo, t_hi, p_lo, p_hi, v, tau = (np.array(column) for column in zip(*sum(rows, [])))
     size = len(V_seg) + 2
-    edges = np.vstack([_edges(tau[:size]) + k * size for k in range(len(layers))])
-    kind = np.repeat(np.arange(len(layers)), size)
-    speeds = np.array([entry.max_speed for entry in instance.agents])
-    if prune:
-        edges = edges[_flyable(edges, t_lo, t_hi, p_lo, p_hi, speeds[kind[edges[:, 0]]])]
-    R = instance.size if instance.R is None else instance.R
-    return Graph(
-        *(t_lo, t_hi, p_lo, p_hi, v, tau, edges, instance.horizon, instance.size, R, kind, speeds),
-        capacities=np.array([np.inf if entry.capacity is None else entry.capacity for entry in instance.agents]),
+    graph = Graph(
+        *(t_lo, t_hi, p_lo, p_hi, v, tau),
+        edges=np.vstack([_edges(tau[:size]) + k * size for k in range(len(entries))]),
+        horizon=instance.horizon,
+        size=instance.size,
+        R=instance.size if instance.R is None else instance.R,
+        layer=np.repeat(np.arange(len(entries)), size),
+        types=types,
+        counts=np.array([1 if by_agent else entry.count for entry in entries]),
+        speeds=np.array([entry.max_speed for entry in entries]),
+        capacities=np.array([math.inf if entry.capacity is None else entry.capacity for entry in entries]),
         demands=np.array([target.demand for target in instance.targets]),
         numbered=not instance.plain,
     )
+    return dataclasses.replace(graph, edges=graph.edges[_flyable(graph)]) if prune else graph
 
 
 def segments(target):
@@ -146,11 +164,11 @@ def _stop(place, latest):
     return 0.0, latest, place, place, np.zeros(2), -1
 
 
-def _only(of_types):
-    """Return the one entry, where there is one type of agents."""
-    if len(of_types) > 1:
-        raise InputError(f"agents: expected one type here, found {len(of_types)}")
-    return of_types[0]
+def _only(of_layers):
+    """Return the one entry, where there is one layer."""
+    if len(of_layers) > 1:
+        raise InputError(f"agents: expected one type here, found {len(of_layers)}")
+    return of_layers[0]
 
 
 def _edges(tau):
@@ -168,9 +186,11 @@ def _edges(tau):
     )
 
 
-def _flyable(edges, t_lo, t_hi, p_lo, p_hi, max_speed):
-    """Tell which edges can be flown: leave i at its start, be at the end of j when it ends."""
-    i, j = edges.T
-    available = t_hi[j] - t_lo[i]
-    needed = np.linalg.norm(p_hi[j] - p_lo[i], axis=1) / max_speed
-    return needed <= available + TIME_SLACK * (1.0 + np.abs(t_hi[j]))
+def _flyable(graph):
+    """Tell which edges can be flown: leave i at its start, be at the end of j when it ends, and carry both demands."""
+    i, j = graph.edges.T
+    layer, demand = graph.layer[i], np.where(graph.tau >= 0, graph.demands[graph.tau], 0.0)
+    available = graph.t_hi[j] - graph.t_lo[i]
+    needed = np.linalg.norm(graph.p_hi[j] - graph.p_lo[i], axis=1) / graph.speeds[layer]
+    in_time = needed <= available + TIME_SLACK * (1.0 + np.abs(graph.t_hi[j]))
+    return in_time & (demand[i] + demand[j] <= graph.room[layer])

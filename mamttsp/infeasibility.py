@@ -25,7 +25,8 @@ NO_SHORT_REASON = "no short one: each target can be visited, and no count of age
 def why_infeasible(instance):
     """Return in a line why no tours visit all targets, None if there is no reason as short as these.
 
-    Tried in this order: targets that no agent can reach, or be home from by the horizon; targets of which one agent can
+    Tried in this order: targets that no agent can reach, or be home from by the horizon, or carry; demands beyond the
+    capacities of all agents; targets of which one agent can
     visit no two, more of them than agents; too few targets that can follow another one in a tour, so that more tours
     are needed than there are agents. An instance for which None is returned may be infeasible all the same.
 
@@ -39,6 +40,9 @@ def why_infeasible(instance):
     lost = [u for u in range(instance.n_targets) if not _can_be_flown(graph, [u])]
     if lost:
         return _listed([_why_lost(instance, u) for u in lost], "; ")
+    demand, room = graph.demands.sum(), (graph.counts * graph.room).sum()
+    if demand > room:
+        return f"the demands of all targets, {demand:g}, exceed the capacities of all agents, {room:g}"
     follows = _follows(graph)
     for needed, why in (_excluding(follows), _few_followers(follows)):
         if needed > instance.n_agents:
@@ -54,15 +58,15 @@ def _can_be_flown(graph, order):
 
 def _routes(graph, order):
     """Yield the routes (tuples of segments) through these targets in order, for each type of agents that can bear it."""
-    for kind in np.flatnonzero(graph.demands[order].sum() <= graph.capacities):
-        yield from itertools.product(*([i for i in graph.C(u).tolist() if graph.kind[i] == kind] for u in order))
+    for layer in np.flatnonzero(graph.demands[order].sum() <= graph.room):
+        yield from itertools.product(*([i for i in graph.C(u).tolist() if graph.layer[i] == layer] for u in order))
 
 
 def _why_lost(instance, u):
     """Say of a target that cannot be visited whether it is its demand, the way there or the way home."""
     longest = instance.size / min(entry.max_speed for entry in instance.agents)
     graph = build_graph(dataclasses.replace(instance, horizon=instance.horizon + longest))
-    if graph.demands[u] > graph.capacities.max():
+    if graph.demands[u] > graph.room.max():
         return f"no agent has the capacity for target {u}, of demand {graph.demands[u]:g}"
     if _can_be_flown(graph, [u]):
         return f"no agent that visits target {u} can be back by the horizon, {instance.horizon:g} s"

@@ -6,8 +6,7 @@ import math
 import numpy as np
 
 from .conic_solver import claims_infeasible, dual_point, minimise
-from .formulations import build_formulation
-from .graph import build_graph
+from .formulations import build_formulation, graph_for
 from .validation import InputError
 
 CONIC_METHODS = ("micp", "baseline")
@@ -33,7 +32,7 @@ def relax(instance, method="micp", modeler="cvxpy", prune=False):
     """
     if method not in CONIC_METHODS:
         raise InputError(f"method: expected one of {', '.join(CONIC_METHODS)} for a relaxation, found {method!r}")
-    return relaxation(build_formulation(method, modeler, build_graph(instance, prune), instance.n_agents)).bound
+    return relaxation(build_formulation(method, modeler, graph_for(method, instance, prune))).bound
 
 
 def relaxation(formulation):
@@ -72,7 +71,8 @@ def _magnitudes(program, graph, n_agents):
     """Return a bound on the absolute value of each column, at an optimum where no l is longer than it must be."""
     T = graph.horizon
     farthest = max(np.abs(graph.p_lo).max(), np.abs(graph.p_hi).max())
-    bounds = {"y": 1.0, "alpha": n_agents, "t": T, "z_t": T, "z_t_prime": T, "z_p": farthest, "z_p_prime": farthest}
+    load = graph.room.max()
+    bounds = {"y": 1.0, "alpha": n_agents, "q": load, "t": T, "z_t": T, "z_t_prime": T, "z_p": farthest, "z_p_prime": farthest}
     magnitudes = np.full(len(program.c), graph.size + graph.R)  # l, l_xy and l_bar, which is at most l + R
     for name in bounds.keys() & program.columns.keys():
         magnitudes[program.columns[name]] = bounds[name]

@@ -47,8 +47,6 @@ def solve(
     here; FlowError: the solver's answer contradicts itself.
     """
     of_type("instance", instance, Instance)
-    if not instance.plain:
-        raise InputError("instance: types of agents, ends of their own, capacities and demands cannot be solved yet")
     options = Options(time_limit, gap, threads, seed, verbose, progress, begin_with(instance, start))
     if method == "exact":
         return _solve_exact(instance, options, modeler, solver, subtour_cuts)
@@ -62,13 +60,12 @@ def solve(
 def _solve_formulation(instance, method, modeler, solver, prune, subtour_cuts, options):
     # Here, because the exact method does without them.
     from .cut_loop import solve_without_cycles
-    from .formulations import build_formulation
-    from .graph import build_graph
+    from .formulations import build_formulation, graph_for
     from .plain_model import paper_solution
 
     clock = Clock(options.time_limit)
     run = backend(solver).solve
-    formulation = build_formulation(method, modeler, build_graph(instance, prune), instance.n_agents)
+    formulation = build_formulation(method, modeler, graph_for(method, instance, prune))
     if not subtour_cuts:
         return paper_solution(formulation, run, options)
     return solve_without_cycles(formulation, run, options, clock)
@@ -80,6 +77,8 @@ def _solve_exact(instance, options, modeler, solver, subtour_cuts):
             raise InputError(f'{name}: method "exact" has none, found {brief(value)}; {", ".join(METHODS)} have')
     if not subtour_cuts:
         raise InputError('subtour_cuts: False leaves out the cuts of a formulation, and method "exact" has none')
+    if not instance.plain:
+        raise InputError('method: "exact" solves the paper\'s problem only, with agents alike and no demands; take "micp"')
     from .exact import solve_exact
 
     return _finished(instance, solve_exact(instance, options), options)

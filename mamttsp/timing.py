@@ -30,13 +30,13 @@ def earliest_times(graph, route):
 
 
 def _ends(graph, route):
-    """Return the depot s and the end s' of the type of agents in whose layer the route is."""
-    kind = graph.kind[route[0]]
-    return graph.starts[kind], graph.ends[kind]
+    """Return the depot s and the end s' of the layer in which the route is."""
+    layer = graph.layer[route[0]]
+    return graph.starts[layer], graph.ends[layer]
 
 
 def _meeting(graph, p, t, i):
-    q, v, v_max = graph.p_lo[i], graph.v[i], graph.speeds[graph.kind[i]]
+    q, v, v_max = graph.p_lo[i], graph.v[i], graph.speeds[graph.layer[i]]
     return earliest_meeting(p[0], p[1], t, q[0], q[1], graph.t_lo[i], v[0], v[1], graph.t_lo[i], graph.t_hi[i], v_max)
 
 
@@ -84,7 +84,8 @@ def to_tour(graph, route, times):
     if not visits:
         return Tour((), 0.0)
     home = _meeting(graph, visits[-1].position, visits[-1].time, _ends(graph, route)[1])
-    return Tour(visits, float(min(home, graph.horizon)), int(graph.kind[route[0]]) if graph.numbered else None)
+    agent = int(graph.types[graph.layer[route[0]]]) if graph.numbered else None
+    return Tour(visits, float(min(home, graph.horizon)), agent)
 
 
 def _length(graph, route, times):
@@ -111,7 +112,7 @@ def _latest_times(graph, route):
     Seen backwards in time these are earliest meetings, with motions reversed.
     """
     latest = np.empty(len(route))
-    t, p, v_max = graph.horizon, graph.p_lo[_ends(graph, route)[1]], graph.speeds[graph.kind[route[0]]]
+    t, p, v_max = graph.horizon, graph.p_lo[_ends(graph, route)[1]], graph.speeds[graph.layer[route[0]]]
     for k, i in reversed(list(enumerate(route))):
         q, v, start, end = graph.p_hi[i], -graph.v[i], -graph.t_hi[i], -graph.t_lo[i]
         back = earliest_meeting(p[0], p[1], -t, q[0], q[1], start, v[0], v[1], start, end, v_max)
@@ -146,7 +147,7 @@ def _program(graph, route):
     K, R, T = len(route), _unit(graph), graph.horizon
     s, s_prime = _ends(graph, route)
     nodes = [s, *route, s_prime]
-    speed, v = graph.speeds[graph.kind[s]] * T / R, graph.v[route] * T / R
+    speed, v = graph.speeds[graph.layer[s]] * T / R, graph.v[route] * T / R
     offset = np.diff(graph.p_lo[nodes] - graph.t_lo[nodes, None] * graph.v[nodes], axis=0) / R
     opens, closes = graph.t_lo[route] / T, graph.t_hi[route] / T
     ones, none = np.ones(K + 1), np.zeros(K + 1)

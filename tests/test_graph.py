@@ -98,13 +98,19 @@ def _layered(prune=False):
 
 def test_each_type_has_a_layer_with_a_depot_and_an_end_of_its_own():
     graph = _layered()
-    assert graph.kind.tolist() == [0] * 4 + [1] * 4 and graph.tau.tolist() == [-1, 0, 1, -1] * 2
+    assert graph.layer.tolist() == [0] * 4 + [1] * 4 and graph.tau.tolist() == [-1, 0, 1, -1] * 2
     assert (graph.starts.tolist(), graph.ends.tolist(), graph.V_seg) == ([0, 4], [3, 7], [1, 2, 5, 6])
     assert graph.p_lo[graph.starts].tolist() == [[0, 0], [20, 0]] and graph.p_lo[graph.ends].tolist() == [[0, 0], [0, 20]]
     assert (graph.t_hi[graph.starts] == 0).all() and (graph.t_hi[graph.ends] == HORIZON).all()
     assert graph.C(1).tolist() == [2, 6] and graph.n_targets == 2
     assert graph.speeds.tolist() == [1.0, 9.0] and graph.capacities.tolist() == [np.inf, 1.0] and graph.demands.tolist() == [2, 0]
-    assert graph.loaded and graph.numbered
+    assert graph.loaded and graph.numbered and graph.counts.tolist() == [2, 1]
+
+
+def test_a_layer_for_each_agent():
+    graph = build_graph(general(still(5, 0), types=[agents(2), agents(1, (9.0, 0.0))]), by_agent=True)
+    assert graph.layer.tolist() == [0, 0, 0, 1, 1, 1, 2, 2, 2] and graph.types.tolist() == [0, 0, 1]
+    assert graph.counts.tolist() == [1, 1, 1] and graph.p_lo[graph.starts].tolist() == [[0, 0], [0, 0], [9, 0]]
 
 
 def test_edges_stay_in_their_layer():
@@ -114,10 +120,10 @@ def test_edges_stay_in_their_layer():
 
 
 def test_edges_are_pruned_by_the_speed_of_their_type():
-    """Only the fast type reaches the far target by 20, and so goes on from it; nothing else is lost."""
+    """Only the fast type reaches the far target by 20, and it cannot carry the near one."""
     graph = _layered(prune=True)
-    assert sorted(map(tuple, graph.edges[graph.kind[graph.edges[:, 0]] == 0].tolist())) == [(0, 1), (1, 3), (2, 3)]
-    assert len(graph.edges[graph.kind[graph.edges[:, 0]] == 1]) == 6
+    assert sorted(map(tuple, graph.edges[graph.layer[graph.edges[:, 0]] == 0].tolist())) == [(0, 1), (1, 3), (2, 3)]
+    assert sorted(map(tuple, graph.edges[graph.layer[graph.edges[:, 0]] == 1].tolist())) == [(4, 6), (6, 7)]
 
 
 def test_what_is_of_one_type_is_not_asked_of_several():

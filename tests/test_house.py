@@ -17,7 +17,7 @@ ORDER = {
     "formulations": "equations statistics conic_form pyomo cvxpy formulation residuals points",
 }
 #: the same thing said with either modeler
-TWINS = {"baseline", "micp", "nonconvex", "standard_form"}
+TWINS = {"baseline", "fleet", "micp", "nonconvex", "standard_form"}
 
 
 def imported(path):

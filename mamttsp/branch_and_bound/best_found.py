@@ -7,29 +7,31 @@ import numpy as np
 from ..flow import read_flow
 from ..formulations.points import routes_of
 from ..timing import best_tours
+from .loads import enough_agents, fits
 from .rounding import round_flow
 
 
 class BestFound:
     """The shortest tours so far: their length (units, infinity without any) and their flow (|E|,), None without any."""
 
-    def __init__(self, graph, n_agents):
-        self.graph, self.n_agents = graph, n_agents
+    def __init__(self, graph, counts):
+        self.graph, self.counts = graph, counts
         self.length, self.flow = math.inf, None
         self._tried = set()
 
     def begin_from(self, tours):
         """Take the tours, at the best times for their order."""
-        self._take(routes_of(self.graph, tours))
+        self._take(routes_of(self.graph, self.counts, tours))
 
     def near(self, y, alive):
         """Try tours near the flow y (|E|,) on the edges in `alive`."""
-        self._take(round_flow(self.graph, y, alive, self.n_agents))
+        self._take(round_flow(self.graph, y, alive, self.counts))
 
     def on(self, alive):
         """Try the tours that fly every edge in `alive`, which must be paths and cycles through all targets."""
         paths, cycles = read_flow(self.graph, alive)
-        if not cycles and len(paths) <= self.n_agents:
+        carried = all(fits(self.graph, path) for path in paths)
+        if not cycles and carried and enough_agents(self.graph, self.counts, paths):
             self._take(paths)
 
     def _take(self, routes):
@@ -47,6 +49,7 @@ def _flow_of(graph, routes):
     number = {edge: e for e, edge in enumerate(map(tuple, graph.edges.tolist()))}
     flow = np.zeros(len(graph.edges))
     for route in routes:
-        stops = [graph.s, *route, graph.s_prime]
+        layer = graph.layer[route[0]]
+        stops = [graph.starts[layer], *route, graph.ends[layer]]
         flow[[number[edge] for edge in zip(stops[:-1], stops[1:])]] = 1.0
     return flow

@@ -6,6 +6,10 @@ import numpy as np
 from scipy import sparse
 
 
+#: variables of an edge that lie in an interval times y: (23), (24), and the load where capacities bind
+INTERVALS = ("z_t", "z_t_prime", "q")
+
+
 def without_positions(program):
     """Return the program without l_xy, z_p and z'_p: rows (28), (25) and (26) define them and are put in for them."""
     for name in ("l_xy", "z_p", "z_p_prime"):
@@ -31,8 +35,8 @@ class EdgeRows:
     """The rows of a program without positions, by what they join.
 
     zero, joint: indices of the equations and of the inequalities that join edges (flow, times, cuts); speed: (|E|,)
-    the row (27) of each edge; cone: (|E|,) the first of the three rows (29) of each edge. Rows (23) and (24) and the
-    signs of y and l are nowhere: a Perspective has its own.
+    the row (27) of each edge; cone: (|E|,) the first of the three rows (29) of each edge. Rows (23) and (24), loads'
+    too, and the signs of y and l are nowhere: a Perspective has its own.
     """
 
     def __init__(self, program):
@@ -40,8 +44,9 @@ class EdgeRows:
         linear = program.n_zero + program.n_nonneg
         n_edges = len(columns["y"])
         edge = np.full(A.shape[1], -1)
-        for name in ("y", "l", "z_t", "z_t_prime"):
-            edge[columns[name]] = np.arange(n_edges)
+        for name in ("y", "l", *INTERVALS):
+            if name in columns:
+                edge[columns[name]] = np.arange(n_edges)
         touched = np.diff(A.indptr)
         entry = np.repeat(np.arange(len(program.b)), touched)  # the row of each entry of A
         first, last = np.full(len(program.b), n_edges), np.full(len(program.b), -1)

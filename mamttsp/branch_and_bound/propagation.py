@@ -23,31 +23,31 @@ def propagate(graph, alive):
     tail, head = graph.edges.T
     times = np.empty((len(alive), 4))
     g = graph
-    _sweep(alive, times, tail, head, g.t_lo, g.t_hi, g.p_lo, g.p_hi, g.v, g.max_speed)
+    speed = g.speeds[g.layer[tail]]
+    _sweep(alive, times, tail, head, g.t_lo, g.t_hi, g.p_lo, g.p_hi, g.v, speed, g.starts, g.ends)
     entered = np.zeros(g.n_targets + 1, dtype=bool)
-    entered[g.tau[head[alive]]] = True  # tau of s' is -1: the extra entry
+    entered[g.tau[head[alive]]] = True  # tau of an s' is -1: the extra entry
     return (alive, times) if entered[:-1].all() else None
 
 
 @njit(cache=True)
-def _sweep(alive, times, tail, head, t_lo, t_hi, p_lo, p_hi, v, speed):
+def _sweep(alive, times, tail, head, t_lo, t_hi, p_lo, p_hi, v, speed, starts, ends):
     early, late = t_lo.copy(), t_hi.copy()
-    last = len(t_lo) - 1
     for _ in range(_MAX_SWEEPS):
         first, final = np.full(len(early), math.inf), np.full(len(early), -math.inf)
         for e in range(len(alive)):
             if not alive[e]:
                 continue
             i, j = tail[e], head[e]
-            arrival = _arrival(i, j, early[i], max(early[j], t_lo[j]), late[j], t_lo, p_lo, v, speed)
-            departure = _departure(i, j, late[j], early[i], late[i], t_hi, p_hi, v, speed)
+            arrival = _arrival(i, j, early[i], max(early[j], t_lo[j]), late[j], t_lo, p_lo, v, speed[e])
+            departure = _departure(i, j, late[j], early[i], late[i], t_hi, p_hi, v, speed[e])
             if math.isinf(arrival) or math.isinf(departure):
                 alive[e] = False
                 continue
             times[e, 0], times[e, 1], times[e, 2], times[e, 3] = early[i], departure, arrival, late[j]
             first[j] = min(first[j], arrival)
             final[i] = max(final[i], departure)
-        first[0], final[last] = early[0], late[last]
+        first[starts], final[ends] = early[starts], late[ends]
         moved = False
         for i in range(len(early)):
             # A node that no edge enters or leaves ends up with an empty interval, which stops its other edges.

@@ -11,6 +11,7 @@ from ..options import Progress
 from ..solution import known_length, relative_gap
 from .best_found import BestFound
 from .branching import branch
+from .loads import load_limits
 from .perspective import Perspective
 from .propagation import propagate
 from .separation import violated_sets
@@ -27,12 +28,12 @@ class TreeSearch:
 
     def __init__(self, formulation, options):
         self.start = time.perf_counter()
-        self.options, self.graph, self.n_agents = options, formulation.graph, formulation.n_agents
-        self.relaxation = Perspective(formulation.conic_program().relaxed(), self.graph, self.n_agents, options.threads)
+        self.options, self.graph, self.counts = options, formulation.graph, formulation.counts
+        self.relaxation = Perspective(formulation.conic_program().relaxed(), self.graph, self.counts, options.threads)
         self.heap, self.order = [], itertools.count()
         self.current = 0.0  # bound of the node at hand; 0 is a bound of every length
         self.closed = math.inf  # least bound at which something was given up for being no better than the incumbent
-        self.best = BestFound(self.graph, self.n_agents)
+        self.best = BestFound(self.graph, self.counts)
         if options.start:
             self.best.begin_from(options.start)
         self.nodes = self.cuts = 0
@@ -54,7 +55,8 @@ class TreeSearch:
 
     def run(self):
         """Search until the gap is proved; return False if the time limit came first."""
-        self._push(0.0, np.ones(len(self.graph.edges), dtype=bool))
+        least, most = load_limits(self.graph)
+        self._push(0.0, least <= most)
         while self.heap and self.heap[0][0] < self.cutoff:
             self.current = self.heap[0][0]  # before the node is taken off, so that `bound` holds at any moment
             bound, _, alive = heapq.heappop(self.heap)

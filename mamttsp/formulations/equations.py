@@ -48,3 +48,19 @@ EQUATIONS = {
     },
 }
 METHODS = tuple(EQUATIONS)
+#: families that several types of agents, and capacities, add or state anew; the equation that each one generalises, None
+#: where the paper has nothing like it. (23) is the model for the load of an edge: y_e times an interval.
+_BY_AGENT = {"depot_flow_out": 2, "depot_flow_in": 3, "capacity": None}
+BEYOND = {
+    "baseline": _BY_AGENT,
+    "nonconvex": _BY_AGENT,
+    "micp": {
+        "flow_from_depot": 18,
+        "flow_to_depot": 19,
+        "number_of_agents": 20,
+        "some_agent_flies": 20,
+        "load_conservation": 22,
+        "load_at_least": 23,
+        "load_at_most": 23,
+    },
+}

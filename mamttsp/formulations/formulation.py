@@ -6,6 +6,7 @@ import time
 
 import numpy as np
 
+from ..graph import build_graph
 from ..validation import InputError
 from .equations import EQUATIONS
 
@@ -15,17 +16,20 @@ MODELERS = ("pyomo", "cvxpy")
 class Formulation(abc.ABC):
     """A built model of one of the paper's formulations.
 
-    method: "baseline", "nonconvex" or "micp"; modeler: "pyomo" or "cvxpy"; graph: the Graph; n_agents: m;
-    model: a Pyomo ConcreteModel, or an instance of the cvxpy class; build_time: wall time of the build in s.
+    method: "baseline", "nonconvex" or "micp"; modeler: "pyomo" or "cvxpy"; graph: the Graph; counts: (K,) how many
+    agents there are in each of its layers, and n_agents: m, how many in all; model: a Pyomo ConcreteModel, or an
+    instance of the cvxpy class; build_time: wall time of the build in s.
     """
 
     modeler = None
 
     def __init__(self, method, graph, n_agents):
-        self.method, self.graph, self.n_agents = method, graph, n_agents
+        self.method, self.graph = method, graph
+        self.counts = graph.counts if n_agents is None else np.array([n_agents])
+        self.n_agents = int(self.counts.sum())
         build = self._builder()
         start = time.perf_counter()
-        self.model = build(graph, n_agents)
+        self.model = build(graph, self.n_agents)
         self.build_time = time.perf_counter() - start
 
     @abc.abstractmethod
@@ -56,7 +60,8 @@ class Formulation(abc.ABC):
         Their targets are entered once each, so a full flow along the path would be the flow of a single agent.
         """
         index = {edge: e for e, edge in enumerate(map(tuple, self.graph.edges.tolist()))}
-        self._limit([index[edge] for edge in zip((self.graph.s, *path[:-1]), path)], len(path) - 1)
+        start = int(self.graph.starts[self.graph.layer[path[0]]])
+        self._limit([index[edge] for edge in zip((start, *path[:-1]), path)], len(path) - 1)
 
     @abc.abstractmethod
     def _limit(self, edges, limit):
@@ -125,14 +130,27 @@ class CvxpyFormulation(Formulation):
         return standard_form(self.model)
 
 
-def build_formulation(method, modeler, graph, n_agents):
-    """Build `method` with `modeler` for a Graph and m agents and return the Formulation.
+def build_formulation(method, modeler, graph, n_agents=None):
+    """Build `method` with `modeler` for a Graph and return the Formulation.
 
-    InputError: an unknown method or modeler, or a method that the modeler cannot state.
+    graph: with several types of agents, as `graph_for` has it; n_agents: m, None for the number that the graph has, or
+    numbers of its layers. InputError: an unknown method or modeler, a method that the modeler cannot state, or one
+    number for several layers.
     """
     if method not in EQUATIONS:
         raise InputError(f"method: expected one of {', '.join(EQUATIONS)} for a formulation, found {method!r}")
     if modeler not in MODELERS:
         raise InputError(f"modeler: expected one of {', '.join(MODELERS)}, found {modeler!r}")
+    if graph.n_layers > 1 and n_agents is not None:
+        raise InputError(f"n_agents: the {graph.n_layers} layers of the graph have their own numbers of agents")
     kind = PyomoFormulation if modeler == "pyomo" else CvxpyFormulation
     return kind(method, graph, n_agents)
+
+
+def graph_for(method, instance, prune=False):
+    """Return the Graph on which `method` states an instance, see `build_graph`.
+
+    The MICP has a flow for each type of agents. The other two have one for each agent; agents of a single type share
+    a layer all the same, as in the paper.
+    """
+    return build_graph(instance, prune, by_agent=method != "micp" and len(instance.agents) > 1)

@@ -20,12 +20,13 @@ def assign(formulation, tours, cycles=()):
 
     `tours`: a list of Tour. A visit goes to the segment of its target whose time interval holds the visit time.
     `cycles`: sequences of Visit that start and end nowhere, as in the hole of the paper's proof; agent 1 gets them.
-    InputError: more tours than agents, or a hop that is not an edge of the graph.
+    InputError: more tours than agents (of one type), or a hop that is not an edge of the graph.
     """
-    flown = _fly(formulation.graph, formulation.n_agents, [tour for tour in tours if tour.visits], cycles)
+    flown = _fly(formulation.graph, formulation.counts, [tour for tour in tours if tour.visits], cycles)
     values = _VALUES[formulation.method](formulation.graph, flown)
     for name, value in values.items():
-        _set(getattr(formulation.model, name), np.asarray(value, dtype=float))
+        if hasattr(formulation.model, name):  # q, only where capacities bind
+            _set(getattr(formulation.model, name), np.asarray(value, dtype=float))
 
 
 def begin_from(formulation, tours):
@@ -35,13 +36,21 @@ def begin_from(formulation, tours):
     their orders cannot be flown to the last digit they are taken as they are, for the solver to judge.
     """
     graph = formulation.graph
-    best = best_tours(graph, [list(route) for route in routes_of(graph, tours)])
+    best = best_tours(graph, [list(route) for route in routes_of(graph, formulation.counts, tours)])
     assign(formulation, tours if best is None else best[1])
 
 
-def routes_of(graph, tours):
-    """Return the route (tuple of segments) of each tour that makes a visit."""
-    return [tuple(segment_of(graph, visit.target, visit.time) for visit in tour.visits) for tour in tours if tour.visits]
+def routes_of(graph, counts, tours):
+    """Return the route (tuple of segments) of each tour that makes a visit; counts: (K,) agents of each layer.
+
+    InputError: more tours of a type than agents.
+    """
+    flown = [tour for tour in tours if tour.visits]
+    return [_route(graph, tour, layer) for tour, (layer, _) in zip(flown, _agents_of(graph, counts, flown))]
+
+
+def _route(graph, tour, layer):
+    return tuple(segment_of(graph, visit.target, visit.time, layer) for visit in tour.visits)
 
 
 def _set(variable, value):
@@ -63,44 +72,63 @@ def _is_pyomos(variable):
 
 @dataclasses.dataclass(frozen=True)
 class _Flown:
-    """What the agents do: y (|E|, m) flow; t (|V|, m), p (|V|, m, 2) times and positions, also of nodes not visited."""
+    """What the agents do: y (|E|, m) flow; q (|E|, m) load on the edges flown; t (|V|, m), p (|V|, m, 2) times and
+    positions, also of nodes not visited. m: the agents of a layer, or of the largest one."""
 
     y: np.ndarray
+    q: np.ndarray
     t: np.ndarray
     p: np.ndarray
 
 
-def _fly(graph, n_agents, tours, cycles):
-    if len(tours) > n_agents:
-        raise InputError(f"tours: {counted(len(tours), 'tour')} for {counted(n_agents, 'agent')}")
+def _fly(graph, counts, tours, cycles):
     edge_number = {tuple(edge): e for e, edge in enumerate(graph.edges.tolist())}
-    y = np.zeros((len(graph.edges), n_agents))
+    y = np.zeros((len(graph.edges), max(counts)))
+    q = np.zeros_like(y)
     # A node that the agent does not visit takes the start of its interval: inside (6), and big-M frees all the rest.
-    t = np.tile(graph.t_lo[:, None], n_agents)
-    for k, nodes, times in _walks(graph, tours, cycles):
+    t = np.tile(graph.t_lo[:, None], max(counts))
+    for k, nodes, times in _walks(graph, counts, tours, cycles):
+        load = 0.0
         for hop in itertools.pairwise(nodes):
             if hop not in edge_number:
                 raise InputError(f"tours: no edge from node {hop[0]} to node {hop[1]} in the graph")
-            y[edge_number[hop], k] = 1.0
+            load += graph.demands[graph.tau[hop[0]]] if graph.tau[hop[0]] >= 0 else 0.0
+            y[edge_number[hop], k], q[edge_number[hop], k] = 1.0, load
         t[nodes[1:], k] = times
     t = np.clip(t, graph.t_lo[:, None], graph.t_hi[:, None])
     p = graph.p_lo[:, None] + (t - graph.t_lo[:, None])[..., None] * graph.v[:, None]
-    return _Flown(y, t, p)
+    return _Flown(y, q, t, p)
 
 
-def _walks(graph, tours, cycles):
-    """Yield (agent, nodes in order, times of all nodes but the first) of each tour and each cycle."""
-    for k, tour in enumerate(tours):
-        route = [segment_of(graph, visit.target, visit.time) for visit in tour.visits]
-        yield k, [graph.s, *route, graph.s_prime], [*(visit.time for visit in tour.visits), tour.return_time]
+def _walks(graph, counts, tours, cycles):
+    """Yield (agent of its layer, nodes in order, times of all nodes but the first) of each tour and each cycle."""
+    for tour, (layer, k) in zip(tours, _agents_of(graph, counts, tours)):
+        nodes = [int(graph.starts[layer]), *_route(graph, tour, layer), int(graph.ends[layer])]
+        yield k, nodes, [*(visit.time for visit in tour.visits), tour.return_time]
     for cycle in cycles:
         route = [segment_of(graph, visit.target, visit.time) for visit in cycle]
         yield 0, [route[-1], *route], [visit.time for visit in cycle]
 
 
-def segment_of(graph, u, t):
-    """Return the node of C_u whose time interval holds t, or the one nearest in time."""
+def _agents_of(graph, counts, tours):
+    """Return (layer, number in it) of an agent for each tour: of each type the next one that has none yet."""
+    types = [tour.agent or 0 for tour in tours]
+    of_type = {
+        a: [(layer, k) for layer in np.flatnonzero(graph.types == a).tolist() for k in range(counts[layer])]
+        for a in set(types)
+    }
+    for a, agents in of_type.items():
+        if types.count(a) > len(agents):
+            which = f" of type {a}" if len(set(graph.types.tolist())) > 1 else ""
+            flown = counted(types.count(a), "tour")
+            raise InputError(f"tours: {flown} for {counted(len(agents), 'agent')}{which}")
+    return [of_type[a][types[:k].count(a)] for k, a in enumerate(types)]
+
+
+def segment_of(graph, u, t, layer=0):
+    """Return the node of C_u in a layer whose time interval holds t, or the one nearest in time."""
     nodes = graph.C(u)
+    nodes = nodes[graph.layer[nodes] == layer]
     away = np.maximum(graph.t_lo[nodes] - t, t - graph.t_hi[nodes])
     return int(nodes[np.argmin(np.maximum(away, 0.0))])
 
@@ -119,7 +147,8 @@ def _nonconvex(graph, flown):
 def _micp(graph, flown):
     """The theorem's correspondence: at most one agent flies an edge, so the sum over agents is that agent's value."""
     values = {name: value.sum(axis=1) for name, value in _edge_values(graph, flown).items()}
-    return {"alpha": values["y"][graph.out_of(graph.s)].sum()} | values
+    alpha = [values["y"][graph.out_of(s)].sum() for s in graph.starts]
+    return {"alpha": alpha if graph.n_layers > 1 else alpha[0], "q": flown.q.sum(axis=1)} | values
 
 
 def _edge_values(graph, flown):

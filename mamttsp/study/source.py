@@ -6,22 +6,23 @@ import inspect
 import textwrap
 
 from ..formulations import pyomo
-from ..formulations.equations import EQUATIONS
-from ..formulations.pyomo import network
+from ..formulations.equations import BEYOND, EQUATIONS
+from ..formulations.pyomo import by_agent, fleet
 from ..validation import InputError
 
 
-def source(method, *families):
+def source(method, *families, beyond=False):
     """Return the Pyomo code that states these families of constraints of a formulation, or its objective "length".
 
-    method and families: as in EQUATIONS. InputError: an unknown name.
+    method and families: as in EQUATIONS. beyond: as several types of agents, and capacities, have it instead: families
+    as in BEYOND. InputError: an unknown name.
     """
     if method not in EQUATIONS:
         raise InputError(f"method: expected one of {', '.join(EQUATIONS)} for a formulation, found {method!r}")
     own = importlib.import_module(f".{method}", pyomo.__name__)
     # Where a formulation does not state a family itself, it shares it with others (eqs (2)-(6)).
-    stated = _components(network) | _components(own)
-    known = ("length", *EQUATIONS[method])
+    stated = _components(fleet) if beyond else _components(by_agent) | _components(own)
+    known = BEYOND[method] if beyond else ("length", *EQUATIONS[method])
     for family in families:
         if family not in known:
             raise InputError(f"families: expected one of {', '.join(known)} for {method}, found {family!r}")

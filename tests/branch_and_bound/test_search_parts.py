@@ -35,7 +35,7 @@ def _edges_of(graph, route):
 def _relaxation(problem):
     graph = build_graph(problem)
     program = build_formulation("micp", "cvxpy", graph, problem.n_agents).conic_program().relaxed()
-    return graph, Perspective(program, graph, problem.n_agents)
+    return graph, Perspective(program, graph, graph.counts)
 
 
 def _only(graph, edges):
@@ -160,7 +160,7 @@ def test_rounding_finds_the_tours_of_a_whole_flow(problem):
     everything = np.ones(len(graph.edges), dtype=bool)
     for route in _routes(graph)[:10]:
         y = _only(graph, _edges_of(graph, route)).astype(float)
-        assert round_flow(graph, y, everything, problem.n_agents) == [route] == list(read_flow(graph, y).paths)
+        assert round_flow(graph, y, everything, graph.counts) == [route] == list(read_flow(graph, y).paths)
 
 
 def test_rounding_makes_no_more_routes_than_agents():
@@ -169,7 +169,7 @@ def test_rounding_makes_no_more_routes_than_agents():
     alive, times = propagate(graph, np.ones(len(graph.edges), dtype=bool))
     y = relaxation.relax(alive, times).y
     for m in (1, 2, 6):
-        routes = round_flow(graph, y, alive, m)
+        routes = round_flow(graph, y, alive, np.array([m]))
         assert routes is None or len(routes) <= m
         assert routes is None or sorted(graph.tau[list(itertools.chain(*routes))]) == list(range(6))
     assert routes is not None and all(earliest_times(graph, route) is not None for route in routes)

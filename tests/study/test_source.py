@@ -6,7 +6,7 @@ import pytest
 
 from mamttsp import InputError
 from mamttsp.formulations.equations import EQUATIONS
-from mamttsp.formulations.pyomo import baseline, micp, network, nonconvex
+from mamttsp.formulations.pyomo import baseline, by_agent, micp, nonconvex
 from mamttsp.study.source import source
 
 MODULES = {"baseline": baseline, "nonconvex": nonconvex, "micp": micp}
@@ -14,7 +14,7 @@ MODULES = {"baseline": baseline, "nonconvex": nonconvex, "micp": micp}
 
 @pytest.mark.parametrize("method", EQUATIONS)
 def test_every_family_is_shown_with_its_equation_as_it_stands(method):
-    library = inspect.getsource(MODULES[method]) + inspect.getsource(network)
+    library = inspect.getsource(MODULES[method]) + inspect.getsource(by_agent)
     for family, equation in EQUATIONS[method].items():
         shown = source(method, family).splitlines()
         assert shown[0].startswith("@m.Constraint(") and f'doc="({equation}) ' in shown[0]

@@ -16,6 +16,7 @@ class Program(abc.ABC):
 
     def __init__(self, graph, n_agents):
         self.graph, self.n_agents = graph, n_agents
+        self.n_columns = n_agents if graph.n_layers == 1 else 1  # agents who share a layer
         self.constraints = {}
         objective = self._build()
         self.problem = cp.Problem(objective, sum(self.constraints.values(), []))

@@ -2,15 +2,16 @@
 
 import pyomo.environ as pyo
 
+from .by_agent import agent_network
 from .cones import cone
-from .network import agent_network, motions
+from .network import motions, speeds
 
 
 def build(graph, n_agents):
     """Return the baseline as a ConcreteModel for a Graph and m = n_agents agents."""
     m = agent_network(graph, n_agents, "baseline")  # sets, y, t, eqs (2)-(6)
     E, V_agt, t, y = m.E, m.V_agt, m.t, m.y
-    v_max, T, R = graph.max_speed, graph.horizon, graph.R
+    v_max, T, R = speeds(graph), graph.horizon, graph.R
     v, p_0 = motions(graph)
 
     m.l = pyo.Var(E, V_agt, domain=pyo.NonNegativeReals, doc="l_{e,k}: length that agent k flies on edge e")
@@ -23,7 +24,7 @@ def build(graph, n_agents):
 
     @m.Constraint(E, V_agt, doc="(7) No faster than v_max on an edge that is flown.")
     def speed(m, i, j, k):
-        return m.l[i, j, k] <= v_max * (t[j, k] - t[i, k] + T * (1 - y[i, j, k]))
+        return m.l[i, j, k] <= v_max[i] * (t[j, k] - t[i, k] + T * (1 - y[i, j, k]))
 
     @m.Constraint(E, V_agt, m.XY, doc="(8) The displacement between the positions at both ends.")
     def displacement(m, i, j, k, x):

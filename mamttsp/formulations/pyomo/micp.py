@@ -4,15 +4,20 @@ from functools import partial
 
 import pyomo.environ as pyo
 
+from . import fleet
 from .cones import cone
-from .network import motions, network, sum_in
+from .network import motions, network, speeds, sum_in
 
 
 def build(graph, n_agents):
-    """Return the new MICP as a ConcreteModel for a Graph and m = n_agents agents."""
+    """Return the new MICP as a ConcreteModel for a Graph and m = n_agents agents.
+
+    Several types of agents, a layer of the graph each, have the numbers of the graph instead.
+    """
     m = network(graph, "micp")
     E, XY = m.E, m.XY
-    m.alpha = pyo.Var(domain=pyo.Integers, doc="alpha: number of agents that fly")
+    if graph.n_layers == 1:
+        m.alpha = pyo.Var(domain=pyo.Integers, doc="alpha: number of agents that fly")
     m.y = pyo.Var(E, domain=pyo.Binary, doc="y_e: an agent flies edge e")
     m.l = pyo.Var(E, domain=pyo.NonNegativeReals, doc="l_e: length flown on edge e")
     m.l_xy = pyo.Var(E, XY, doc="l_xy_e: displacement on edge e")
@@ -25,13 +30,19 @@ def build(graph, n_agents):
     def length(m):
         return pyo.quicksum(m.l[e] for e in E)
 
-    _add_flow(m, graph, n_agents)
+    if graph.n_layers == 1:
+        _add_depot_flow(m, graph, n_agents)
+    else:
+        fleet.add_depot_flow_by_type(m, graph)
+    _add_flow(m)
+    if graph.loaded:
+        fleet.add_loads(m, graph)
     _add_perspectives(m, graph)
-    _add_lengths(m, graph.max_speed)
+    _add_lengths(m, graph)
     return m
 
 
-def _add_flow(m, graph, n_agents):
+def _add_depot_flow(m, graph, n_agents):
     y, alpha, E_in, E_out, total = m.y, m.alpha, m.E_in, m.E_out, partial(sum_in, m)
 
     @m.Constraint(doc="(18) alpha agents leave the depot.")
@@ -45,6 +56,10 @@ def _add_flow(m, graph, n_agents):
     @m.Constraint(doc="(20) At least one agent flies, at most m.")
     def number_of_agents(m):
         return pyo.inequality(1, alpha, n_agents)
+
+
+def _add_flow(m):
+    y, E_in, E_out, total = m.y, m.E_in, m.E_out, partial(sum_in, m)
 
     @m.Constraint(m.V_tar, doc="(21) Each target is visited once, on one of its segments.")
     def one_segment_per_cluster(m, u):
@@ -84,10 +99,12 @@ def _add_perspectives(m, graph):
         return m.z_p_prime[i, j, x] == v[j][x] * m.z_t_prime[i, j] + p_0[j][x] * y[i, j]
 
 
-def _add_lengths(m, v_max):
+def _add_lengths(m, graph):
+    v_max = speeds(graph)
+
     @m.Constraint(m.E, doc="(27) No faster than v_max.")
     def speed(m, i, j):
-        return m.l[i, j] <= v_max * (m.z_t_prime[i, j] - m.z_t[i, j])
+        return m.l[i, j] <= v_max[i] * (m.z_t_prime[i, j] - m.z_t[i, j])
 
     @m.Constraint(m.E, m.XY, doc="(28) The displacement between the positions at both ends.")
     def displacement(m, i, j, x):

@@ -1,6 +1,4 @@
-"""What the Pyomo models share: the sets of Sections II and III, and each agent's flow and times, eqs (2)-(6)."""
-
-from functools import partial
+"""What the Pyomo models share: the sets of Sections II and III, and the numbers of a graph as lists."""
 
 import pyomo.environ as pyo
 
@@ -8,12 +6,12 @@ import pyomo.environ as pyo
 def network(graph, name):
     """Return a ConcreteModel with the graph's sets and no variables yet.
 
-    V: nodes, s = 0 first and s' last; V_seg: segments; V_tar: targets from 0; E: edges (i, j) in the order of
+    V: nodes, in each layer s first and s' last; V_seg: segments; V_tar: targets from 0; E: edges (i, j) in the order of
     `graph.edges`; XY: the two coordinates. E_in[i], E_out[i]: the edges that enter and leave i; C[u]: the cluster C_u.
     """
     m = pyo.ConcreteModel(name)
-    m.V = pyo.RangeSet(graph.s, graph.s_prime)
-    m.V_seg = pyo.RangeSet(graph.s + 1, graph.s_prime - 1)
+    m.V = pyo.RangeSet(0, len(graph.tau) - 1)
+    m.V_seg = pyo.Set(initialize=graph.V_seg)
     m.V_tar = pyo.RangeSet(0, graph.n_targets - 1)
     m.E = pyo.Set(dimen=2, initialize=[tuple(e) for e in graph.edges.tolist()])
     m.XY = pyo.RangeSet(0, 1)
@@ -40,37 +38,6 @@ def motions(graph):
     return graph.v.tolist(), (graph.p_lo - graph.t_lo[:, None] * graph.v).tolist()
 
 
-def agent_network(graph, n_agents, name):
-    """Return a ConcreteModel with the sets, the variables y[i, j, k] and t[i, k], and eqs (2)-(6)."""
-    m = network(graph, name)
-    m.V_agt = pyo.RangeSet(1, n_agents)
-    m.y = pyo.Var(m.E, m.V_agt, domain=pyo.Binary, doc="y_{e,k}: agent k flies edge e")
-    m.t = pyo.Var(m.V, m.V_agt, domain=pyo.NonNegativeReals, doc="t_{i,k}: time of agent k at node i")
-    add_flow(m, graph)
-    return m
-
-
-def add_flow(m, graph):
-    """Add eqs (2)-(6): each agent's flow through the graph, and the time interval of each node."""
-    y, E_in, E_out, total = m.y, m.E_in, m.E_out, partial(sum_in, m)
-    t_lo, t_hi = graph.t_lo.tolist(), graph.t_hi.tolist()
-
-    @m.Constraint(m.V_agt, doc="(2) Each agent leaves the depot at most once.")
-    def depot_flow_out(m, k):
-        return total(y[e, k] for e in E_out[graph.s]) <= 1
-
-    @m.Constraint(m.V_agt, doc="(3) Each agent returns to the depot at most once.")
-    def depot_flow_in(m, k):
-        return total(y[e, k] for e in E_in[graph.s_prime]) <= 1
-
-    @m.Constraint(m.V_tar, doc="(4) Each target is visited once, by one agent, on one of its segments.")
-    def target_flow_in(m, u):
-        return total(y[e, k] for k in m.V_agt for i in m.C[u] for e in E_in[i]) == 1
-
-    @m.Constraint(m.V_seg, m.V_agt, doc="(5) An agent that enters a segment leaves it.")
-    def flow_conservation(m, i, k):
-        return total(y[e, k] for e in E_in[i]) == total(y[e, k] for e in E_out[i])
-
-    @m.Constraint(m.V, m.V_agt, doc="(6) A visit lies in the node's time interval.")
-    def node_time_window(m, i, k):
-        return pyo.inequality(t_lo[i], m.t[i, k], t_hi[i])
+def speeds(graph):
+    """Return v_max as a list: that of the agents in the layer of each node."""
+    return graph.speeds[graph.layer].tolist()

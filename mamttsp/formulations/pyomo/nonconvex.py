@@ -2,15 +2,16 @@
 
 import pyomo.environ as pyo
 
+from .by_agent import agent_network
 from .cones import cone
-from .network import agent_network, motions
+from .network import motions, speeds
 
 
 def build(graph, n_agents):
     """Return the nonconvex program as a ConcreteModel for a Graph and m = n_agents agents."""
     m = agent_network(graph, n_agents, "nonconvex")  # sets, y, t, eqs (2)-(6)
     E, V_agt, XY, t, y = m.E, m.V_agt, m.XY, m.t, m.y
-    v, p_0 = motions(graph)
+    v_max, (v, p_0) = speeds(graph), motions(graph)
 
     m.p = pyo.Var(m.V, V_agt, XY, doc="p_{i,k}: position of node i at time t_{i,k}")
     m.l = pyo.Var(E, V_agt, domain=pyo.NonNegativeReals, doc="l_{e,k}: length that agent k flies on edge e")
@@ -30,7 +31,7 @@ def build(graph, n_agents):
 
     @m.Constraint(E, V_agt, doc="(13) No faster than v_max.")
     def speed(m, i, j, k):
-        return m.l[i, j, k] <= graph.max_speed * (m.z_t_prime[i, j, k] - m.z_t[i, j, k])
+        return m.l[i, j, k] <= v_max[i] * (m.z_t_prime[i, j, k] - m.z_t[i, j, k])
 
     @m.Constraint(E, V_agt, XY, doc="(14) The displacement between the positions at both ends.")
     def displacement(m, i, j, k, x):
