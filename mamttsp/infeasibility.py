@@ -25,10 +25,10 @@ NO_SHORT_REASON = "no short one: each target can be visited, and no count of age
 def why_infeasible(instance):
     """Return in a line why no tours visit all targets, None if there is no reason as short as these.
 
-    Tried in this order: targets that no agent can reach, or be home from by the horizon, or carry; demands beyond the
-    capacities of all agents; targets of which one agent can
+    Tried in this order: targets that no agent can reach, or be home from by the horizon; targets of which one agent can
     visit no two, more of them than agents; too few targets that can follow another one in a tour, so that more tours
-    are needed than there are agents. An instance for which None is returned may be infeasible all the same.
+    are needed than there are agents; demands beyond the capacities of all agents. An instance for which None is
+    returned may be infeasible all the same.
 
     >>> from mamttsp import Instance, Target
     >>> from mamttsp.infeasibility import why_infeasible
@@ -40,14 +40,14 @@ def why_infeasible(instance):
     lost = [u for u in range(instance.n_targets) if not _can_be_flown(graph, [u])]
     if lost:
         return _listed([_why_lost(instance, u) for u in lost], "; ")
-    demand, room = graph.demands.sum(), (graph.counts * graph.room).sum()
-    if demand > room:
-        return f"the demands of all targets, {demand:g}, exceed the capacities of all agents, {room:g}"
     follows = _follows(graph)
     for needed, why in (_excluding(follows), _few_followers(follows)):
         if needed > instance.n_agents:
             are = "is" if instance.n_agents == 1 else "are"
             return f"{why}: {counted(needed, 'agent')} are needed, there {are} {instance.n_agents}"
+    demand, room = graph.demands.sum(), (graph.counts * graph.room).sum()
+    if demand > room:
+        return f"the demands of all targets, {demand:g}, exceed the capacities of all agents, {room:g}"
     return None
 
 

@@ -142,4 +142,6 @@ def test_types_of_agents_are_told_apart():
     assert why(far, heavy) is None
     assert why(dataclasses.replace(far, demand=2.0)).startswith("no agent can be at target 0 in a window")
     assert why(dataclasses.replace(far, demand=9.0)) == "no agent has the capacity for target 0, of demand 9"
+    light = [dataclasses.replace(still(x, 5), demand=0.9) for x in range(7)]
+    assert why(*light) == "the demands of all targets, 6.3, exceed the capacities of all agents, 6"
     assert why(heavy, heavy, heavy).startswith("no agent can visit two of the targets 0, 1, 2: 3 agents are needed")

@@ -113,7 +113,7 @@ def test_tours_at_leisure_are_begun_from_at_their_best_times():
     begin_from(formulation, late)
     assert max(residuals(formulation.model).values()) < 1e-6
     graph = formulation.graph
-    assert best_tours(graph, [list(route) for route in routes_of(graph, late)])[0] == pytest.approx(20 + 200**0.5)
+    assert best_tours(graph, [list(route) for route in routes_of(graph, graph.counts, late)])[0] == pytest.approx(20 + 200**0.5)
 
 
 def test_a_solver_that_contradicts_the_tours_is_found_out(problem):
