@@ -3,11 +3,9 @@
 import math
 
 import numpy as np
-from numba import njit
 
 from .agents import Agents
 from .instance import Instance, Target
-from .motion import earliest_meeting
 from .validation import InputError, array, is_number, positive, whole
 
 PAPER_SIZES = (5, 10, 15, 20)
@@ -149,11 +147,13 @@ def _random_tour(rng, paths, horizon, entry, max_tries):
 
     entry: the Agents that it is one of.
     """
+    from .random_order import first_flyable  # here, because numba takes its time to import
+
     times = np.array([path[0] for path in paths])
     points = np.array([path[1] for path in paths])
     for start in range(0, max_tries, _BATCH):
         draws = rng.random((min(_BATCH, max_tries - start), len(paths)))
-        found, visits = _first_flyable(draws, times, points, entry.depot, entry.end, entry.max_speed, horizon)
+        found, visits = first_flyable(draws, times, points, entry.depot, entry.end, entry.max_speed, horizon)
         if found:
             return visits
     raise InputError(
@@ -161,45 +161,6 @@ def _random_tour(rng, paths, horizon, entry, max_tries):
         f"can be flown by one agent in {horizon:g} s; "
         "raise the horizon, or have fewer targets"
     )
-
-
-@njit(cache=True)
-def _first_flyable(draws, times, points, depot, end, max_speed, horizon):
-    """Return (found, visit times) of the first flyable order; each row of `draws` in [0, 1) shuffles one order.
-
-    An order is shuffled only as far as it is flown: most fail after a few targets.
-    """
-    n = draws.shape[1]
-    order, visits = np.arange(n), np.zeros(n)
-    for draw in draws:
-        t, px, py = 0.0, depot[0], depot[1]
-        for k in range(n):
-            pick = k + int(draw[k] * (n - k))
-            u = order[pick]
-            order[pick], order[k] = order[k], u
-            t, px, py = _meet_path(px, py, t, times[u], points[u], max_speed)
-            dx, dy = px - end[0], py - end[1]
-            if t + np.sqrt(dx * dx + dy * dy) / max_speed > horizon:
-                break
-            visits[u] = t
-        else:
-            return True, visits
-    return False, visits
-
-
-@njit(cache=True)
-def _meet_path(px, py, t, times, points, max_speed):
-    """Return the earliest (time, x, y) at which an agent at (px, py) at time t meets the target; time inf if never."""
-    for piece in range(len(times) - 1):
-        start, end = times[piece], times[piece + 1]
-        if end < t:
-            continue
-        x, y = points[piece, 0], points[piece, 1]
-        vx, vy = (points[piece + 1, 0] - x) / (end - start), (points[piece + 1, 1] - y) / (end - start)
-        meeting = earliest_meeting(px, py, t, x, y, start, vx, vy, start, end, max_speed)
-        if meeting < np.inf:
-            return meeting, x + (meeting - start) * vx, y + (meeting - start) * vy
-    return np.inf, px, py
 
 
 def _windows(rng, visit, length, widest, horizon):

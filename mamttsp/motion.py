@@ -6,13 +6,13 @@ exact solver share one definition. A motion is `p(t) = p0 + (t - t0) * v`; lengt
 
 import math
 
-from numba import njit
+from .compiled import compiled
 
 #: relative slack within which a meeting at the very end of an interval still counts as in time
 TIME_SLACK = 1e-9
 
 
-@njit(cache=True)
+@compiled
 def travel_time(dx, dy, vx, vy, speed):
     """Return the shortest time in which an agent of `speed` catches a mover now at offset (dx, dy).
 
@@ -25,7 +25,7 @@ def travel_time(dx, dy, vx, vy, speed):
     return (along + math.sqrt(along * along + closing * distance2)) / closing
 
 
-@njit(cache=True)
+@compiled
 def earliest_meeting(px, py, t, qx, qy, tq, vx, vy, start, end, speed):
     """Return the earliest time in [start, end] at which an agent that is at (px, py) at time t can be at the mover.
 

@@ -9,7 +9,8 @@ import pytest
 PACKAGE = Path(__file__).parents[1] / "mamttsp"
 #: by folder of the package: its modules and folders in order
 ORDER = {
-    "": """validation motion jsonfile paths agents instance graph tours conic_solver timing infeasibility generate solution_table solution flow
+    "": """validation compiled motion random_order jsonfile paths agents instance graph tours conic_solver timing
+        infeasibility generate solution_table solution flow
         options display versions figures look
         formulations branch_and_bound backends exact relaxation cut_loop plain_model start solve
         experiments study arguments __main__""",

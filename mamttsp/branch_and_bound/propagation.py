@@ -3,8 +3,8 @@
 import math
 
 import numpy as np
-from numba import njit
 
+from ..compiled import compiled
 from ..motion import earliest_meeting
 
 #: s; sweeps go on while some time moves by more than this
@@ -30,7 +30,7 @@ def propagate(graph, alive):
     return (alive, times) if entered[:-1].all() else None
 
 
-@njit(cache=True)
+@compiled
 def _sweep(alive, times, tail, head, t_lo, t_hi, p_lo, p_hi, v, speed, starts, ends):
     early, late = t_lo.copy(), t_hi.copy()
     for _ in range(_MAX_SWEEPS):
@@ -57,7 +57,7 @@ def _sweep(alive, times, tail, head, t_lo, t_hi, p_lo, p_hi, v, speed, starts, e
             break
 
 
-@njit(cache=True)
+@compiled
 def _arrival(i, j, t, start, end, t_lo, p_lo, v, speed):
     """Return the earliest time in [start, end] at j after leaving i at time t, infinity if there is none."""
     if math.isinf(t) or start > end:
@@ -66,7 +66,7 @@ def _arrival(i, j, t, start, end, t_lo, p_lo, v, speed):
     return earliest_meeting(px, py, t, p_lo[j, 0], p_lo[j, 1], t_lo[j], v[j, 0], v[j, 1], start, end, speed)
 
 
-@njit(cache=True)
+@compiled
 def _departure(i, j, t, start, end, t_hi, p_hi, v, speed):
     """Return the latest time in [start, end] at i that reaches j at time t, minus infinity if there is none.
 
