@@ -16,6 +16,7 @@ from .solve import solve
 from .tours import TourError, check
 from .validation import InputError, counted
 from .versions import versions
+from .warm_up import ensure_compiled
 
 #: of a film, however long the tours take
 _PICTURES = 100
@@ -153,6 +154,8 @@ def _verify(arguments):
 
 
 def _versions(arguments):
+    if arguments.warm_up:
+        ensure_compiled()
     print(versions())
     return 0
 

@@ -69,7 +69,8 @@ def parser():
     folder = f"with tables of tours, and a manifest of sums {_DEFAULT}"
     command.add_argument("folder", metavar="FOLDER", nargs="?", default="paper_results", help=folder)
 
-    commands.add_parser("versions", help="what to put into a bug report")
+    command = commands.add_parser("versions", help="what to put into a bug report")
+    command.add_argument("--warm-up", action="store_true", help="compile the exact method first, for images and CI")
     return whole
 
 

@@ -2,6 +2,7 @@
 
 import dataclasses
 
+from .backends.answer import answer_in_time
 from .flow import FlowError, read_flow, shortest_unflyable, targets_of
 from .solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, Solution, relative_gap
 from .timing import best_tours
@@ -26,21 +27,28 @@ class _Record:
         self.nodes = answer.nodes if self.nodes is None else self.nodes + (answer.nodes or 0)
         self.cuts += answer.cuts
         self.runtime += answer.runtime
-        self.solver = answer.solver
+        self.solver = answer.solver or self.solver
 
 
 def solve_without_cycles(formulation, run, options, clock):
     """Return the Solution of a formulation, its flow free of cycles that miss the depot.
 
-    run: solve(formulation, options) of a back end; clock: the Clock that all rounds share. Each round's
-    bound holds for all tours, so the greatest one stands. A round that a limit ends is the last; its incumbent counts
-    if it is made of tours.
+    run: solve(formulation, options) of a back end; clock: the Clock that the building of the model and all rounds
+    share. Each round's bound holds for all tours, so the greatest one stands. A round that a limit or Ctrl-C ends is
+    the last; its incumbent counts if it is made of tours.
     """
     record = _Record()
+    try:
+        return _rounds(formulation, run, options, clock, record)
+    except KeyboardInterrupt:  # between rounds, or in a back end that does not end with what stands
+        return _solution(formulation, record, UNKNOWN)
+
+
+def _rounds(formulation, run, options, clock, record):
+    # What the solver's tolerance adds to the tours' real length must not open a gap that it has closed.
+    strict = dataclasses.replace(options, gap=max(options.gap - BOUND_TOLERANCE, options.gap / 2))
     while True:
-        if clock.over:
-            return _solution(formulation, record, UNKNOWN)
-        answer = run(formulation, _options_left(options, clock))
+        answer = answer_in_time(run, formulation, strict, clock)
         record.add(answer)
         if answer.flow is None:
             return _solution(formulation, record, answer.status)
@@ -51,14 +59,6 @@ def solve_without_cycles(formulation, run, options, clock):
         if answer.status != OPTIMAL:
             return _solution(formulation, record, UNKNOWN)
         record.cuts += _cut(formulation, paths, cycles)
-
-
-def _options_left(options, clock):
-    """Return the options of the next round: the time that is left, and progress that goes on from the time spent."""
-    spent = clock.spent
-    report = options.progress and (lambda step: options.progress(dataclasses.replace(step, time=step.time + spent)))
-    limit = None if clock.left is None else max(clock.left, 1e-3)
-    return dataclasses.replace(options, time_limit=limit, progress=report)
 
 
 def _cut(formulation, paths, cycles):
@@ -106,4 +106,4 @@ def bound_below(objective, bound, size):
 def status_of(objective, bound, gap):
     """The solver's own objective may be short by its tolerance, so the gap is judged on the tours' real length."""
     proved = relative_gap(objective, bound)
-    return OPTIMAL if proved is not None and proved <= gap + BOUND_TOLERANCE else FEASIBLE
+    return OPTIMAL if proved is not None and proved <= gap else FEASIBLE

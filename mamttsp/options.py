@@ -33,12 +33,14 @@ class Progress:
 
 @dataclasses.dataclass(frozen=True)
 class Options:
-    """Limits and switches that mean the same for every back end.
+    """Limits and switches that mean the same for every back end, but where this text says otherwise.
 
-    time_limit: s, None for none; gap: relative gap (a fraction) at which a solve is optimal; threads: at least 1;
-    seed: of the solver's own random choices; verbose: let the solver print its log; progress: called with a Progress
-    now and then; start: tours of the instance, checked, to begin from, or None. A limit or KeyboardInterrupt ends a
+    time_limit: s, None for none; gap: relative gap (a fraction) at which a solve is optimal; verbose: let the solver
+    print its log; start: tours of the instance, checked, to begin from, or None. A limit or KeyboardInterrupt ends a
     solve with what stands, never with an exception.
+    threads: at least 1. Neither the exact method nor SCIP's own search uses more than one.
+    seed: of the solver's own random choices. Our branch and bound has none, and COPT has no such parameter.
+    progress: called with a Progress now and then. MOSEK does not, nor does a commercial solver with a Pyomo model.
     """
 
     time_limit: float | None = None

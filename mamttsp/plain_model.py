@@ -2,6 +2,7 @@
 
 import dataclasses
 
+from .backends.answer import answer_in_time
 from .flow import read_flow, targets_of
 from .solution import Solution
 from .timing import best_tours
@@ -20,9 +21,9 @@ class PaperSolution(Solution):
     cycles: tuple = ()
 
 
-def paper_solution(formulation, run, options):
-    """Solve a formulation once with a back end's `run` and return the PaperSolution."""
-    answer, graph = run(formulation, options), formulation.graph
+def paper_solution(formulation, run, options, clock):
+    """Solve a formulation once with a back end's `run` and return the PaperSolution; clock: began before the model."""
+    answer, graph = answer_in_time(run, formulation, options, clock), formulation.graph
     paths, cycles = ((), ()) if answer.flow is None else read_flow(graph, answer.flow)
     found = best_tours(graph, [list(path) for path in paths]) if paths and not cycles else None
     return PaperSolution(

@@ -5,7 +5,7 @@ import dataclasses
 from .backends import METHODS, Options, backend, choose
 from .instance import Instance
 from .options import Clock
-from .solution import INFEASIBLE, Solution
+from .solution import INFEASIBLE, UNKNOWN, Solution
 from .start import begin_with, no_longer
 from .tours import check
 from .validation import InputError, brief, of_type
@@ -33,8 +33,10 @@ def solve(
 
     method: "exact" (our own solver), "micp", "baseline" or "nonconvex" (the paper's formulations).
     modeler: "pyomo" or "cvxpy", and solver: one of backends.SOLVERS, for a formulation; None takes the fastest open
-    one. time_limit: s of wall time, building included, None for none; gap: relative gap, as a fraction, that counts as
-    optimal; threads, seed, verbose: handed to the solver; progress: called with an options.Progress now and then.
+    one. time_limit: s of wall time, None for none. Building the model counts; compiling the exact method, once on a
+    machine, does not. gap: relative gap, as a fraction, that counts as optimal: what a solver has searched to the end
+    may still be "feasible" if its accuracy (about 1e-5) does not prove a smaller one. threads, seed, verbose: handed to
+    the solver; progress: called with an options.Progress now and then (options.Options says which solvers do without).
     prune: leave out the edges that no agent can fly in time (the exact method always does).
 
     subtour_cuts: cut off the cycles that a formulation accepts and nobody flies, and solve again until none is left.
@@ -61,14 +63,17 @@ def _solve_formulation(instance, method, modeler, solver, prune, subtour_cuts, o
     # Here, because the exact method does without them.
     from .cut_loop import solve_without_cycles
     from .formulations import build_formulation, graph_for
-    from .plain_model import paper_solution
+    from .plain_model import PaperSolution, paper_solution
 
     clock = Clock(options.time_limit)
-    run = backend(solver).solve
-    formulation = build_formulation(method, modeler, graph_for(method, instance, prune))
-    if not subtour_cuts:
-        return paper_solution(formulation, run, options)
-    return solve_without_cycles(formulation, run, options, clock)
+    kind, solve_with = (Solution, solve_without_cycles) if subtour_cuts else (PaperSolution, paper_solution)
+    try:
+        run = backend(solver).solve
+        formulation = build_formulation(method, modeler, graph_for(method, instance, prune))
+        found = solve_with(formulation, run, options, clock)
+    except KeyboardInterrupt:  # before the solver has the model: then nothing is known
+        return kind(UNKNOWN, None, None, 0.0, (), method, solver, modeler, build_time=clock.spent)
+    return dataclasses.replace(found, solver=found.solver or solver)  # it may not have had its turn
 
 
 def _solve_exact(instance, options, modeler, solver, subtour_cuts):
@@ -80,8 +85,14 @@ def _solve_exact(instance, options, modeler, solver, subtour_cuts):
     if not instance.plain:
         raise InputError('method: "exact" solves the paper\'s problem only, with agents alike and no demands; take "micp"')
     from .exact import solve_exact
+    from .warm_up import ensure_compiled
 
-    return _finished(instance, solve_exact(instance, options), options)
+    try:
+        ensure_compiled()
+        found = solve_exact(instance, options)
+    except KeyboardInterrupt:  # before the search: then nothing is known
+        found = Solution(UNKNOWN, None, None, 0.0, (), "exact", "mamttsp exact")
+    return _finished(instance, found, options)
 
 
 def _finished(instance, solution, options):

@@ -23,6 +23,8 @@ def _play(problem, *answers, options=Options(), method="micp"):
     def run(formulation, options):
         status, bound, routes = answers[min(len(seen), len(answers) - 1)]
         seen.append(options)
+        if status == "interrupted":
+            raise KeyboardInterrupt
         flow = None if routes is None else np.zeros(len(edges))
         for route in routes or ():
             for edge in zip(route[:-1], route[1:]):
@@ -68,6 +70,26 @@ def test_the_time_limit_is_shared_by_all_rounds():
     assert 1.0 >= limits[0] > limits[-1] and limits == sorted(limits, reverse=True)
 
 
+def test_no_time_left_is_unknown_and_no_round():
+    formulation, seen = build_formulation("micp", "pyomo", build_graph(LINE), 1), []
+    solution = solve_without_cycles(formulation, lambda *_: seen.append(1), Options(), Clock(1e-9))
+    assert (solution.status, solution.tours, seen) == ("unknown", (), [])
+
+
+def test_ctrl_c_between_rounds_keeps_the_bound(monkeypatch):
+    def interrupt(formulation, targets):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("mamttsp.formulations.Formulation.add_subtour_cut", interrupt)
+    solution, _, seen = _play(LINE, ("optimal", 20.0, CYCLE))
+    assert (solution.status, solution.bound, solution.tours, len(seen)) == ("unknown", 20.0, (), 1)
+
+
+def test_ctrl_c_in_a_back_end_that_does_not_help_itself_keeps_the_bound():
+    solution, _, seen = _play(LINE, ("optimal", 20.0, CYCLE), ("interrupted", None, None))
+    assert (solution.status, solution.bound, len(seen)) == ("unknown", 20.0, 2)
+
+
 def test_progress_goes_on_from_round_to_round():
     reports = []
     _play(LINE, ("optimal", 20.0, CYCLE), ("optimal", 60.0, TOUR), options=Options(progress=reports.append))
@@ -99,6 +121,20 @@ def test_the_gap_is_judged_on_the_tours_real_length():
     assert _play(LINE, ("optimal", 59.0, TOUR))[0].status == "feasible"
     assert _play(LINE, ("optimal", 59.0, TOUR), options=Options(gap=0.02))[0].status == "optimal"
     assert _play(LINE, ("feasible", 60.0, TOUR))[0].status == "optimal"
+
+
+@pytest.mark.parametrize("gap", [0.0, 1e-6, 1e-4, 0.02])
+def test_no_gap_above_the_one_asked_for_is_optimal(gap):
+    for missing, status in ((gap, "optimal"), (gap + 5e-6, "feasible")):
+        solution, _, seen = _play(LINE, ("optimal", 60.0 * (1 - missing * (1 - 1e-9)), TOUR), options=Options(gap=gap))
+        assert solution.status == status, missing
+        assert (solution.gap <= gap) == (status == "optimal")
+
+
+@pytest.mark.parametrize("gap", [0.0, 1e-6, 1e-4, 0.02])
+def test_a_solver_is_asked_for_a_little_less_so_that_its_tolerance_does_not_open_the_gap_again(gap):
+    (asked,) = _play(LINE, ("optimal", 60.0, TOUR), options=Options(gap=gap))[2]
+    assert gap / 2 <= asked.gap <= max(gap - 1e-5, gap / 2)
 
 
 def test_a_bound_above_the_tours_is_clipped_within_tolerance_and_else_an_error():

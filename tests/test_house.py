@@ -12,7 +12,7 @@ ORDER = {
     "": """validation compiled motion random_order jsonfile paths agents instance graph tours conic_solver timing
         infeasibility generate solution_table solution flow
         options display versions figures look
-        formulations branch_and_bound backends exact relaxation cut_loop plain_model start solve
+        formulations branch_and_bound backends exact warm_up relaxation cut_loop plain_model start solve
         experiments study arguments __main__""",
     "experiments": "campaigns summaries claims sheets build_tables build_figures verification",
     "formulations": "equations statistics conic_form pyomo cvxpy formulation residuals points",

@@ -1,10 +1,13 @@
 """The hole in the paper's models, shown by the plain models themselves."""
 
+import time
+
 import pytest
 from meetings import passing
 from oracle import optimum
 
-from mamttsp import Instance, TourError, check, generate, solve
+from mamttsp import Instance, PaperSolution, TourError, check, formulations, generate, solve
+from mamttsp.backends import Answer, Progress
 
 MODELS = [
     ("micp", "cvxpy", "highs"),
@@ -32,6 +35,40 @@ def test_a_false_claim_comes_without_tours_and_fails_the_check(tmp_path):
     with pytest.raises(TourError, match="target 1 is visited 0 times"):
         check(problem, plain.tours)
     plain.write(tmp_path / "claim.json")
+
+
+@pytest.mark.parametrize("subtour_cuts", [True, False])
+def test_the_time_limit_includes_the_building(monkeypatch, subtour_cuts):
+    """Building takes 0.3 s: of 1 s the solver gets at most the rest, of 0.2 s nothing."""
+    build, seen = formulations.build_formulation, []
+
+    def slowly(*arguments):
+        time.sleep(0.3)
+        return build(*arguments)
+
+    def run(formulation, options):
+        seen.append(options.time_limit)
+        options.progress(Progress(0.1, None, None, None, None, "script"))
+        return Answer("unknown", None, None, None, None, 0.1, "script 1")
+
+    monkeypatch.setattr("mamttsp.formulations.build_formulation", slowly)
+    monkeypatch.setattr("mamttsp.backends.scip.solve", run)
+    reports, how = [], {"method": "micp", "solver": "scip", "subtour_cuts": subtour_cuts}
+    solve(generate(2, 20), time_limit=1.0, progress=reports.append, **how)
+    assert 0.0 < seen.pop() <= 0.7 and reports[0].time >= 0.4
+    late = solve(generate(2, 20), time_limit=0.2, **how)
+    assert (late.status, late.solver, seen) == ("unknown", "scip", [])
+
+
+@pytest.mark.parametrize("subtour_cuts", [True, False])
+def test_ctrl_c_while_a_model_is_built_is_a_status(monkeypatch, subtour_cuts):
+    def interrupt(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("mamttsp.formulations.pyomo.micp.build", interrupt)
+    solution = solve(generate(2, 20), "micp", "pyomo", "scip", subtour_cuts=subtour_cuts)
+    assert (solution.status, solution.tours, solution.bound) == ("unknown", (), None)
+    assert isinstance(solution, PaperSolution) != subtour_cuts
 
 
 def test_where_no_targets_meet_the_plain_model_tells_the_truth():

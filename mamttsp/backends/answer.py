@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy as np
 
-from ..solution import STATUSES
+from ..solution import STATUSES, UNKNOWN
 from ..validation import InputError
 
 
@@ -42,3 +42,15 @@ class Answer:
         for name in ("objective", "bound"):
             if (value := getattr(self, name)) is not None:
                 object.__setattr__(self, name, float(value))
+
+
+def answer_in_time(run, formulation, options, clock):
+    """Return what a back end's `run` answers in the time that is left on the clock, UNKNOWN if none is.
+
+    clock: it began before the model was built; progress counts from there too.
+    """
+    spent, left = clock.spent, clock.left
+    if left == 0.0:
+        return Answer(UNKNOWN, None, None, None, None, 0.0, "")
+    report = options.progress and (lambda step: options.progress(dataclasses.replace(step, time=step.time + spent)))
+    return run(formulation, dataclasses.replace(options, time_limit=left, progress=report))

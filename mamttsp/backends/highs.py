@@ -21,10 +21,13 @@ def solve(formulation, options):
     """Solve a cvxpy formulation by outer approximation; the point found is loaded into its problem."""
     clock = Clock(options.time_limit)
     search = _Search(formulation.conic_program(), options, clock)
-    if options.start:
-        begin_from(formulation, options.start)
-        search.take(search.program.read())
-    status = search.run()
+    try:
+        if options.start:
+            begin_from(formulation, options.start)
+            search.take(search.program.read())
+        status = search.run()
+    except KeyboardInterrupt:  # between its solves, or from the progress callback; in a solve it is the master's
+        status = search.standing
     flow = None
     if search.best is not None:
         search.program.load(search.best)
@@ -44,7 +47,7 @@ class _Search:
     def run(self):
         """Alternate between the master and the tangents it lacks, until the gap is closed or a limit comes."""
         self.master.add(*self.cones.first())
-        while not self.clock.over:
+        while not self.clock.over and not self.master.stopped:
             status, x, bound = self.master.solve(self.clock, self.best)
             self.nodes += max(self.master.highs.getInfo().mip_node_count, 0)
             if status == highspy.HighsModelStatus.kInfeasible:
@@ -57,6 +60,11 @@ class _Search:
                 return OPTIMAL
             if status != highspy.HighsModelStatus.kOptimal:
                 break
+        return self.standing
+
+    @property
+    def standing(self):
+        """The status of a search that has not come to its end."""
         return UNKNOWN if self.best is None else FEASIBLE
 
     def _improve(self, x):

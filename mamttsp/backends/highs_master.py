@@ -1,5 +1,7 @@
 """HiGHS with the linear rows of a conic program, and tangents of its cones as they come."""
 
+import threading
+
 import highspy
 import numpy as np
 
@@ -18,7 +20,8 @@ class Master:
         self.highs.setOptionValue("threads", options.threads)
         self.highs.setOptionValue("random_seed", options.seed % 2**31)
         self.highs.setOptionValue("mip_rel_gap", options.gap / 2)
-        self.highs.HandleKeyboardInterrupt = True
+        self.highs.HandleUserInterrupt = True
+        self.stopped = False  # by Ctrl-C
         self.highs.passModel(_linear_part(program))
         self.integers = np.flatnonzero(program.integer).astype(np.int32)
 
@@ -54,10 +57,27 @@ class Master:
         self.highs.setOptionValue("solve_relaxation", relaxed)
         if clock.left is not None:
             self.highs.setOptionValue("time_limit", self.highs.getRunTime() + clock.left)
-        self.highs.solve()
+        self._solve()
         found = self.highs.getInfo().primal_solution_status == highspy.SolutionStatus.kSolutionStatusFeasible
         usable = found and self.highs.getModelStatus() in _SOLVED
         return np.array(self.highs.getSolution().col_value) if usable else None
+
+    def _solve(self):
+        """Let HiGHS run in a thread of its own, so that Ctrl-C reaches this one and ends the run with what stands."""
+        thread = threading.Thread(target=self.highs.run, daemon=True)
+        try:
+            thread.start()
+            _wait(thread)
+        except KeyboardInterrupt:
+            self.stopped = True
+            self.highs.cancelSolve()
+            _wait(thread)
+
+
+def _wait(thread):
+    """Wait for a thread in steps: on Windows nothing else lets Ctrl-C through."""
+    while thread.is_alive():
+        thread.join(0.1)
 
 
 def _linear_part(program):

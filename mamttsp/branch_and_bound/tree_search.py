@@ -70,21 +70,22 @@ class TreeSearch:
 
     def _dive(self, bound, alive):
         """Follow one branch down until nothing better is left in it; return False if time ran out."""
-        while True:
-            if self._time_left() <= 0:
-                return False
+        while self._time_left() > 0:
             found = self._process(bound, alive)
             self._report()
             if found is None:
                 return True
             bound, alive, y = found
             self.current = bound
+            if self._time_left() <= 0:  # cuts may be missing, so that y is no flow to branch on
+                break
             children = branch(self.graph, y, alive)
             if children is None:
                 self._finish(alive)
                 return True
             alive, other = children
             self._push(bound, other)
+        return False
 
     def _process(self, bound, alive):
         """Return (bound, alive, y) of a node with less left to it, or None if nothing better than the incumbent is."""
@@ -96,7 +97,7 @@ class TreeSearch:
             relaxed = self.relaxation.relax(alive, times, self._time_left())
             self.nodes += 1
             bound = max(bound, relaxed.bound)
-            if bound >= self.cutoff or not self._cut_subtours(relaxed.y):
+            if bound >= self.cutoff or not self._cut_subtours(relaxed.y) or self._time_left() <= 0:
                 break
         if not math.isinf(bound):
             self.best.near(relaxed.y, alive)

@@ -1,5 +1,7 @@
 """The outer approximation on HiGHS: tangents are valid, bounds and optima right."""
 
+import time
+
 import highspy
 import numpy as np
 import pytest
@@ -74,8 +76,33 @@ def test_targets_that_miss_by_about_its_tolerance_are_not_called_infeasible(miss
 
 
 def test_progress_and_a_limit():
-    reports = []
-    answer = highs.solve(_formulation(generate(10, 40, 1, seed=0)), Options(time_limit=3.0, progress=reports.append))
-    assert answer.status in ("feasible", "unknown", "optimal")
+    problem, reports = generate(10, 40, 1, seed=0), []
+    answer = highs.solve(_formulation(problem), Options(time_limit=3.0, progress=reports.append))
     bounds = [report.bound for report in reports if report.bound is not None]
     assert reports and bounds == sorted(bounds)
+    assert answer.bound == max(bounds, default=None)
+    assert answer.bound is None or answer.bound <= solve(problem).objective
+    assert answer.status == ("unknown" if answer.objective is None else "feasible")
+    assert answer.objective == reports[-1].objective and (answer.flow is None) == (answer.status == "unknown")
+
+
+@pytest.mark.parametrize("seconds", [1.0, 2.0])
+def test_ctrl_c_in_a_run_of_highs_is_a_status(ctrl_c, capfd, seconds):
+    formulation = _formulation(generate(10, 60, 1, seed=0))
+    ctrl_c(seconds)
+    start = time.perf_counter()
+    answer = highs.solve(formulation, Options())
+    assert answer.status in ("feasible", "unknown") and (answer.flow is None) == (answer.status == "unknown")
+    assert time.perf_counter() - start < seconds + 20.0 and capfd.readouterr().out == ""
+
+
+def test_ctrl_c_between_runs_of_highs_keeps_what_is_known():
+    reports = []
+
+    def interrupt(report):
+        reports.append(report)
+        raise KeyboardInterrupt
+
+    answer = highs.solve(_formulation(generate(5, 40, 1, seed=0)), Options(gap=0.0, progress=interrupt))
+    assert len(reports) == 1 and (answer.objective, answer.bound) == (reports[0].objective, reports[0].bound)
+    assert answer.bound > 0.0 and answer.status == ("unknown" if answer.objective is None else "feasible")

@@ -1,6 +1,7 @@
 """Our branch and bound: the optimum by enumeration, a valid bound at every stop, and no cycle that nobody flies."""
 
 import dataclasses
+import time
 
 import meetings
 import numpy as np
@@ -10,6 +11,7 @@ from oracle import optimum
 
 from mamttsp import InputError, build_graph, check, generate
 from mamttsp.backends import Options, clarabel
+from mamttsp.branch_and_bound.tree_search import TreeSearch
 from mamttsp.flow import read_flow
 from mamttsp.formulations import build_formulation
 from mamttsp.timing import best_tours
@@ -79,6 +81,14 @@ def test_a_time_limit_leaves_a_valid_bound(limit):
     if answer.status == "optimal":
         assert limit > 1e-6
         return _assert_optimal(LARGER, answer)
+    _assert_valid(answer)
+
+
+def test_the_limit_ends_a_node_that_has_ever_more_cuts_to_make(monkeypatch):
+    monkeypatch.setattr(TreeSearch, "_cut_subtours", lambda search, y: True)
+    start = time.perf_counter()
+    answer = _solve(LARGER, Options(time_limit=0.5))
+    assert time.perf_counter() - start < 20.0
     _assert_valid(answer)
 
 

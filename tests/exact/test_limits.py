@@ -1,9 +1,5 @@
 """Stopped by a time limit or Ctrl-C, the exact solver returns checked tours and a bound that holds."""
 
-import _thread
-import signal
-import threading
-
 import pytest
 from exact.certificates import assert_brackets, assert_sound
 from exact.enumeration import optimum
@@ -72,22 +68,6 @@ def test_interrupted_at_any_report_it_returns_what_stands(n, window, m, seed):
         if interrupt.calls < k:  # it ran to its end
             break
     assert k > 2 and solution.status == "optimal"
-
-
-@pytest.fixture
-def ctrl_c():
-    """Return a function that has Ctrl-C pressed after some seconds, whatever the main thread is doing then."""
-    timers, handler = [], signal.signal(signal.SIGINT, signal.default_int_handler)
-
-    def press(seconds):
-        timers.append(threading.Timer(seconds, _thread.interrupt_main))
-        timers[-1].start()
-
-    yield press
-    for timer in timers:
-        timer.cancel()
-        timer.join()
-    signal.signal(signal.SIGINT, handler)
 
 
 @pytest.mark.parametrize("seconds", [0.05, 0.4, 1.3])

@@ -12,11 +12,10 @@ from ...formulations.statistics import closed_form
 from ...generate import generate, paper_instance
 from ...graph import build_graph
 from ...solve import solve
+from ...warm_up import warm_up
 from .runs import Run
 
 GAP, THREADS, SEED = 1e-4, 1, 0
-#: so many targets that the exact method needs all of its compiled code
-_ALL_CODE = 11
 
 
 def main():
@@ -65,8 +64,7 @@ def measure(run):
 def _warm_up(run):
     """Import and compile all that the run needs, so that its times are those of the solve alone."""
     if run.method == "exact":
-        for n_agents in (1, 2):
-            solve(generate(_ALL_CODE, 40, n_agents))
+        warm_up()
     else:
         solve(generate(3, 20), run.method, run.modeler, run.solver, time_limit=run.time_limit)
 

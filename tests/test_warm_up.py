@@ -1,0 +1,124 @@
+"""Compiling is not solving: it happens before the clock starts, once, with a line that says so."""
+
+import os
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+import mamttsp
+from mamttsp import generate, solve, warm_up
+from mamttsp.__main__ import main
+
+PACKAGE = Path(mamttsp.__file__).parent
+SMALL = generate(3, 20, seed=0)
+
+
+@pytest.fixture
+def nothing_compiled(tmp_path, monkeypatch):
+    """As on a new machine, but compiling is a pause of 0.5 s; return the list of such pauses."""
+    mark, pauses = tmp_path / "mark", []
+
+    def pause():
+        pauses.append(time.sleep(0.5))
+        mark.touch()
+
+    monkeypatch.setattr(warm_up, "_mark", lambda: mark)
+    monkeypatch.setattr(warm_up, "warm_up", pause)
+    return pauses
+
+
+def test_the_first_solve_compiles_before_its_clock_starts_and_says_so(nothing_compiled, capsys):
+    solve(SMALL)  # loads what is compiled, which takes longer than the limit below
+    warm_up._mark().unlink()
+    capsys.readouterr()
+    solution = solve(SMALL, time_limit=0.4)
+    assert solution.status == "optimal" and solution.runtime < 0.4 and len(nothing_compiled) == 2
+    told = capsys.readouterr()
+    assert told.out == "" and told.err == "compiling the exact solver, once on this machine: about 25 s\n"
+    solve(SMALL)
+    assert len(nothing_compiled) == 2 and capsys.readouterr().err == ""
+
+
+def test_ctrl_c_while_compiling_is_a_status(nothing_compiled, monkeypatch):
+    def interrupt():
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(warm_up, "warm_up", interrupt)
+    solution = solve(SMALL)
+    assert (solution.status, solution.tours, solution.bound) == ("unknown", (), None)
+
+
+def test_nobody_else_compiles_the_exact_method(nothing_compiled):
+    assert solve(SMALL, "micp").status == "optimal" and not nothing_compiled
+
+
+def test_versions_can_warm_up(nothing_compiled, capsys):
+    for _ in range(2):
+        assert main(["versions", "--warm-up"]) == 0
+    told = capsys.readouterr()
+    assert len(nothing_compiled) == 1 and told.err.count("compiling") == 1 and told.out.count("Python") == 2
+
+
+def test_the_mark_is_that_of_these_sources(monkeypatch):
+    warm_up.ensure_compiled()
+    mark = warm_up._mark()
+    assert mark.exists()
+    read = Path.read_bytes
+    monkeypatch.setattr(Path, "read_bytes", lambda path: read(path) + b"# changed" * (path.name == "motion.py"))
+    assert warm_up._mark() != mark and warm_up._mark().parent == mark.parent
+
+
+def _run(*arguments, **variables):
+    """Run the command line with these environment variables, and none of numba's but them."""
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("NUMBA")}
+    return subprocess.run(
+        [sys.executable, "-m", "mamttsp", *map(str, arguments)],
+        env=environment | {name: str(value) for name, value in variables.items()},
+        capture_output=True,
+        text=True,
+    )
+
+
+@pytest.fixture
+def nowhere_to_write(tmp_path):
+    """Return environment variables for a copy of the package and a home in which no folder can be made."""
+    shutil.copytree(PACKAGE, tmp_path / "mamttsp", ignore=shutil.ignore_patterns("__pycache__"))
+    for folder in [tmp_path / "mamttsp", *(path for path in (tmp_path / "mamttsp").rglob("*") if path.is_dir())]:
+        (folder / "__pycache__").write_text("a file in the place of the folder")
+    home = tmp_path / "a-file"
+    home.write_text("no folder")
+    places = ("HOME", "XDG_CACHE_HOME", "LOCALAPPDATA", "USERPROFILE")
+    return {"PYTHONPATH": tmp_path, "PYTHONDONTWRITEBYTECODE": 1} | dict.fromkeys(places, home / "below")
+
+
+def test_an_installation_that_cannot_be_written_to_says_what_to_set(tmp_path, nowhere_to_write):
+    generating = ("generate", "--targets", 3, "--window", 20, "-o", tmp_path / "instance.json")
+    done = _run(*generating, **nowhere_to_write)
+    assert done.returncode == 2 and done.stdout == "" and done.stderr.count("\n") == 1
+    assert done.stderr.startswith("NUMBA_CACHE_DIR: there is no folder to keep compiled code in")
+    SMALL.write(tmp_path / "small.json")
+    assert _run("solve", tmp_path / "small.json", **nowhere_to_write).stderr == done.stderr
+
+    done = _run(*generating, **nowhere_to_write, NUMBA_CACHE_DIR=tmp_path / "compiled")
+    assert done.returncode == 0 and done.stderr == ""
+    assert list((tmp_path / "compiled").rglob("*.nbi"))
+
+
+def test_a_home_that_can_be_written_to_suffices(tmp_path, nowhere_to_write):
+    home = {"HOME": tmp_path, "XDG_CACHE_HOME": tmp_path / "cache", "LOCALAPPDATA": tmp_path}
+    output = tmp_path / "instance.json"
+    done = _run("generate", "--targets", 3, "--window", 20, "-o", output, **nowhere_to_write | home)
+    assert done.returncode == 0 and done.stderr == ""
+
+
+@pytest.mark.slow
+def test_on_a_new_machine_a_short_limit_is_for_the_search(tmp_path):
+    generate(10, 40, 3, seed=7).write(tmp_path / "instance.json")
+    solving = ("solve", tmp_path / "instance.json", "--time-limit", 5)
+    first, second = (_run(*solving, NUMBA_CACHE_DIR=tmp_path / "compiled") for _ in range(2))
+    assert "optimal" in first.stdout and first.stderr.count("compiling the exact solver") == 1
+    assert "optimal" in second.stdout and "compiling" not in second.stderr
