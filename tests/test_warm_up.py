@@ -78,6 +78,7 @@ def _run(*arguments, **variables):
     return subprocess.run(
         [sys.executable, "-m", "mamttsp", *map(str, arguments)],
         env=environment | {name: str(value) for name, value in variables.items()},
+        cwd=variables.get("PYTHONPATH"),  # which comes before PYTHONPATH
         capture_output=True,
         text=True,
     )
