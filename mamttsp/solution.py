@@ -24,8 +24,9 @@ STATUSES = (OPTIMAL, FEASIBLE, INFEASIBLE, UNKNOWN)
 class Solution:
     """What a solve found and proved.
 
-    status: "optimal" (gap proved), "feasible" (a limit came first), "infeasible" (proved) or "unknown" (a limit came
-    first, nothing found). objective: total length of the tours, None without tours; bound: proved lower bound on every
+    status: "optimal" (the gap asked for is proved), "feasible" (it is not: a limit or Ctrl-C came first, or the search
+    is at its end and its accuracy proves no more), "infeasible" (proved) or "unknown" (a limit or Ctrl-C came first,
+    nothing found). objective: total length of the tours, None without tours; bound: proved lower bound on every
     solution, None if none is known; runtime: solver's wall time in s; build_time: time to build and hand over the
     model. tours: tuple of Tour; nodes: branch-and-bound nodes; subtour_cuts: cuts added against cycles that nobody
     flies. reason: of an infeasible instance, why it is, or that nothing short says so; None else.
