@@ -17,7 +17,7 @@ help:
 	@echo "make reproduce   set up, solve an instance, run the notebooks, rebuild every figure"
 	@echo "make test        set up and run the tests (test-all: the slow ones as well)"
 	@echo "make notebooks   run every notebook again, save it and its figures"
-	@echo "make html        make a website of the notebooks that needs no network: site/index.html"
+	@echo "make html        make the site, which needs no network: site/index.html"
 	@echo "make benchmarks  measure again the table in benchmarks/README.md"
 	@echo "make lab         open the notebooks in JupyterLab"
 
@@ -46,16 +46,17 @@ reproduce: venv
 	@echo "== Done: build/solution.json, notebooks/, figures/ =="
 
 test: venv
-	$(BIN)/python -m pytest -n 2
+	$(BIN)/python -m pytest -n 2 --dist loadgroup
 
 test-all: venv
-	$(BIN)/python -m pytest -n 2 -m "slow or not slow" --timeout 3600
+	$(BIN)/python -m pytest -n 2 --dist loadgroup -m "slow or not slow" --timeout 3600
 
 notebooks: venv
 	@set -e; for notebook in $(NOTEBOOKS); do echo "-- $$notebook"; $(RUN_NOTEBOOK) $$notebook; done
 
 html: venv
-	$(BIN)/python notebooks/website/build.py site
+	$(BIN)/python -m sphinx --quiet --keep-going -d build/doctrees docs site
+	@echo "== Done: site/index.html =="
 
 benchmarks: venv
 	$(BIN)/python benchmarks/build_models.py

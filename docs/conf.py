@@ -18,7 +18,6 @@ copyright = "the mamttsp maintainers, MIT licence"
 version = release = mamttsp.__version__
 
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.mathjax", "sphinx_copybutton", "sphinx_design"]
-exclude_patterns = ["README.md"]
 default_role = "literal"  # docstrings put names between single backticks
 
 # Markdown and notebooks
@@ -48,7 +47,7 @@ html_css_files = ["site.css"]
 html_js_files = ["from_disk.js"]
 templates_path = ["_templates"]
 html_sourcelink_suffix = ""  # a notebook is downloaded under its own name
-html_sidebars = {"index": [], "changelog": []}
+html_sidebars = {page: [] for page in ("index", "benchmarks", "reach", "changelog", "search", "genindex")}
 html_context = {"default_mode": "auto"}  # dark where the reader's system is
 html_theme_options = {
     "logo": {"text": "mamttsp"},

@@ -10,7 +10,6 @@ import moving_picture
 
 DOCS = Path(__file__).parent
 FOLDERS = ("notebooks", "figures", "paper_results")
-FILES = ("CITATION.cff", "benchmarks/README.md")
 _PASSING = shutil.ignore_patterns(".ipynb_checkpoints", "*.nbconvert.ipynb", "handouts", "__pycache__")
 
 
@@ -19,7 +18,5 @@ def gather(app=None):
     for name in FOLDERS:
         shutil.rmtree(DOCS / name, ignore_errors=True)
         shutil.copytree(DOCS.parent / name, DOCS / name, ignore=_PASSING)
-    for name in FILES:
-        (DOCS / name).parent.mkdir(exist_ok=True)
-        shutil.copy2(DOCS.parent / name, DOCS / name)
+    shutil.copy2(DOCS.parent / "CITATION.cff", DOCS)
     moving_picture.save(DOCS / "figures" / "tours.gif", DOCS.parent / "paper_results")

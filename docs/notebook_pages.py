@@ -1,5 +1,6 @@
 """Small changes to a notebook on its way to its page; the file that readers download stays as it is."""
 
+import ast
 import json
 import re
 from pathlib import PurePosixPath
@@ -14,6 +15,9 @@ def prepare(app, page, source):
         number_heading(notebook, PurePosixPath(page).name)
         describe_pictures(notebook)
         fold_solutions(notebook)
+        show_markdown(notebook)
+        show_printed_code(notebook)
+        mark_columns(notebook)
         lead_to_first_page(notebook)
         source[0] = json.dumps(notebook)
 
@@ -41,6 +45,45 @@ def fold_solutions(notebook):
         if cell["cell_type"] == "code" and "solution" in tags:
             prompts = {"code_prompt_show": "Show the solution", "code_prompt_hide": "Hide the solution"}
             cell["metadata"] |= {"tags": [*tags, "hide-input"], "mystnb": prompts}
+
+
+def show_markdown(notebook):
+    """Turn Markdown that a cell showed into prose below it, where links lead to pages."""
+    cells = []
+    for cell in notebook["cells"]:
+        cells.append(cell)
+        for output in list(cell.get("outputs", [])):
+            if text := output.get("data", {}).get("text/markdown"):
+                cell["outputs"].remove(output)
+                name = f"{cell['id']}-{len(cells)}"
+                cells.append({"cell_type": "markdown", "id": name, "metadata": {}, "source": text})
+    notebook["cells"] = cells
+
+
+def show_printed_code(notebook):
+    """Show what a cell printed as code, in colours and with lines that wrap, if it is code."""
+    for cell in notebook["cells"]:
+        for k, output in enumerate(cell.get("outputs", [])):
+            text = "".join(output.get("text", []))
+            if _defines_a_function(text):
+                code = {"text/markdown": f"```python\n{text}```"}
+                cell["outputs"][k] = {"output_type": "display_data", "metadata": {}, "data": code}
+
+
+def _defines_a_function(text):
+    try:
+        return any(isinstance(node, ast.FunctionDef) for node in ast.walk(ast.parse(text)))
+    except SyntaxError:
+        return False
+
+
+def mark_columns(notebook):
+    """Give a cell that printed columns the tag `columns`: its lines must not wrap, as others do."""
+    for cell in notebook["cells"]:
+        outputs = cell.get("outputs", [])
+        printed = "".join("".join(o.get("text", o.get("data", {}).get("text/plain", ""))) for o in outputs)
+        if len(re.findall(r"\S {2,}\S.* {2,}\S", printed)) > 1:
+            cell["metadata"]["tags"] = [*cell["metadata"].get("tags", []), "columns"]
 
 
 def lead_to_first_page(notebook):

@@ -7,7 +7,7 @@ def everything():
     """Return {name: Markdown} for all pages."""
     return {
         "certified": from_rows.certified(),
-        "seconds_for_20": from_rows.seconds_for_20(),
+        "time_for_20": from_rows.time_for_20(),
         "certification": from_rows.certification_tables(),
         "reach": from_rows.reach(),
         "reach_in_words": from_rows.reach_in_words(),

@@ -8,7 +8,7 @@ from mamttsp import Instance, Target, build_graph
 from mamttsp.backends import SOLVERS
 from mamttsp.formulations import build_formulation
 from mamttsp.formulations.equations import EQUATIONS
-from mamttsp.formulations.source import source
+from mamttsp.study.source import source
 
 TITLES = {"baseline": "The baseline, Section III", "nonconvex": "The nonconvex program, Section IV-A"}
 TITLES |= {"micp": "The new MICP, Section IV-B"}

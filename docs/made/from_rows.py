@@ -1,5 +1,6 @@
 """Numbers and tables from the rows in paper_results, as Markdown."""
 
+import re
 from functools import cache
 from pathlib import Path
 
@@ -7,7 +8,7 @@ import certification
 import pandas as pd
 import scale
 
-from mamttsp.experiments.statistics import read_table
+from mamttsp.experiments.summaries.row_statistics import read_table
 
 RESULTS = Path(__file__).parents[2] / "paper_results"
 
@@ -28,18 +29,31 @@ def certified():
     return f"{rows.solved.sum()} of {len(rows)}"
 
 
-def seconds_for_20():
-    """The median time in s of a setting with 20 targets."""
+def time_for_20():
+    """The median time of a setting with 20 targets, such as `3.9 s`."""
     rows = exact_rows()
-    return f"{rows[rows.n == 20].solve_time_s.median():.1f}"
+    return f"{rows[rows.n == 20].solve_time_s.median():.1f}\N{NO-BREAK SPACE}s"
 
 
 def certification_tables():
-    return "\n".join(certification.tables(RESULTS))
+    """The tables of benchmarks/certification.py."""
+    return _in_words(certification.tables(RESULTS))
 
 
 def reach():
-    return "\n".join(scale.table(scale_rows().to_dict("records")))
+    """The tables of benchmarks/scale.py."""
+    return _in_words(scale.table(scale_rows().to_dict("records")))
+
+
+def _in_words(parts):
+    """Return Markdown whose tables have heads of words and units in place of the columns' names in files."""
+    lines = "\n".join(parts).splitlines()
+    heads = [k - 1 for k, line in enumerate(lines) if line.startswith(("|-", "|:"))]
+    for k in heads:
+        for end, unit in (("s", "s"), ("mb", "MB"), ("percent", "%")):
+            lines[k] = re.sub(rf"_{end}\b", f" ({unit})", lines[k])
+        lines[k] = lines[k].replace("_", " ")
+    return "\n".join(lines)
 
 
 def reach_in_words():
@@ -49,9 +63,14 @@ def reach_in_words():
 
 def _reach_of(n, rows):
     solved, left = rows[rows.status == "optimal"], rows[rows.status != "optimal"]
-    line = f"- **{n} targets**: {len(solved)} of {len(rows)} instances certified"
+    line = f"- **{n} targets**: {len(solved) or 'none'} of {len(rows)} instances certified"
     if len(solved):
-        line += f", in {solved.solve_time_s.min():.0f} to {solved.solve_time_s.max():.0f} s"
+        line += f", in {_range(solved.solve_time_s, '.0f')} s"
     if len(left):
-        line += f"; the others stop at a gap of {left.gap_percent.min():.1f} to {left.gap_percent.max():.1f} %"
+        line += f"; a gap of {_range(left.gap_percent, '.1f')} % is left after {left.time_limit.iloc[0]:.0f} s"
+        line += " in the others" if len(solved) else ""
     return f"{line}."
+
+
+def _range(values, digits):
+    return " to ".join(dict.fromkeys(format(value, digits) for value in (values.min(), values.max())))

@@ -19,7 +19,7 @@ LIMITS = {"cell": 90, "notebook": 280}  # seconds
 def lay_out(notebook, folder):
     """Copy all notebooks, their figures and paper_results below `folder`; return the path of the notebook's copy."""
     for name in ("notebooks", "figures", "paper_results"):
-        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns(".ipynb_checkpoints", "website"))
+        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns(".ipynb_checkpoints"))
     return folder / notebook.relative_to(ROOT)
 
 
