@@ -34,6 +34,8 @@ add_module_names = False
 python_use_unqualified_type_names = True
 python_maximum_signature_line_length = 70
 
+copybutton_prompt_text = ">>> "
+
 # Mathematics: one script that needs no font and no other file
 _mathjax = Path(find_spec("sphinx-mathjax-offline").origin).parent / "static" / "mathjax" / "tex-svg-full.js"
 mathjax_path = _mathjax.name
@@ -47,7 +49,7 @@ html_css_files = ["site.css"]
 html_js_files = ["from_disk.js"]
 templates_path = ["_templates"]
 html_sourcelink_suffix = ""  # a notebook is downloaded under its own name
-html_sidebars = {page: [] for page in ("index", "benchmarks", "reach", "changelog", "search", "genindex")}
+html_sidebars = {page: [] for page in ("index", "benchmarks", "reach", "CHANGELOG", "search", "genindex")}
 html_context = {"default_mode": "auto"}  # dark where the reader's system is
 html_theme_options = {
     "logo": {"text": "mamttsp"},

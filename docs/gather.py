@@ -13,10 +13,12 @@ FOLDERS = ("notebooks", "figures", "paper_results")
 _PASSING = shutil.ignore_patterns(".ipynb_checkpoints", "*.nbconvert.ipynb", "handouts", "__pycache__")
 
 
-def gather(app=None):
+def gather(app):
     """Copy what the pages show, and draw the moving picture."""
     for name in FOLDERS:
         shutil.rmtree(DOCS / name, ignore_errors=True)
         shutil.copytree(DOCS.parent / name, DOCS / name, ignore=_PASSING)
     shutil.copy2(DOCS.parent / "CITATION.cff", DOCS)
+    changelog = DOCS.parent / "CHANGELOG.md"
+    (DOCS / changelog.name).write_text(changelog.read_text("utf-8") if changelog.exists() else "# Changelog\n", "utf-8")
     moving_picture.save(DOCS / "figures" / "tours.gif", DOCS.parent / "paper_results")

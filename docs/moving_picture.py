@@ -26,7 +26,7 @@ def save(path, results, step=2.0):
     """Write the picture as a GIF: moments `step` seconds apart, and two seconds of rest at the end."""
     instance, flown = tours(results)
     last = max(tour.return_time for tour in flown)
-    ax = plt.figure(figsize=(5.4, 4.9), dpi=80).add_subplot()
+    ax = plt.figure(figsize=(5.4, 5.2), dpi=80, layout="constrained").add_subplot()
     pictures = []
     for time in step * np.arange(np.ceil(last / step) + 1):
         ax.clear()

@@ -17,6 +17,12 @@ class Agents:
     Each starts at time 0 at `depot`, (2,) in units, flies at most at `max_speed` in units/s, ends at `end`, (2,) in
     units (None: the depot), by the horizon, and serves targets of at most `capacity` demand in all (None: of any
     demand). An agent that serves no target stays where it is and flies nothing.
+
+    >>> from mamttsp import Agents, Instance, Target
+    >>> drones = Agents(count=2, depot=(0, 0), max_speed=4)
+    >>> van = Agents(count=1, depot=(40, 0), max_speed=6, end=(0, 0), capacity=5)
+    >>> Instance([Target.parked((3, 4), (2, 8))], agents=[drones, van], horizon=20).counts
+    (2, 1)
     """
 
     count: int

@@ -48,6 +48,13 @@ def generate(
     max_tries: how many random orders are tried for that tour before InputError.
 
     The instance's R is the diagonal of the square, as in the paper.
+
+    >>> from mamttsp import generate
+    >>> instance = generate(n_targets=5, total_window=40, n_agents=2, seed=7)
+    >>> instance.n_targets, instance.n_agents, len(instance.targets[0].windows)
+    (5, 2, 2)
+    >>> instance == generate(n_targets=5, total_window=40, n_agents=2, seed=7)
+    True
     """
     for name, value in (("n_targets", n_targets), ("n_pieces", n_pieces), ("max_tries", max_tries)):
         whole(name, value, 1)
@@ -72,7 +79,13 @@ def generate(
 
 
 def paper_instance(n, index, total_window=40, n_agents=1):
-    """Return one of the 80 instances of our reproduction: n in 5, 10, 15, 20 targets, index 0 to 19."""
+    """Return one of the 80 instances of our reproduction: n in 5, 10, 15, 20 targets, index 0 to 19.
+
+    >>> from mamttsp import paper_instance
+    >>> instance = paper_instance(10, 3, total_window=20)
+    >>> instance.n_targets, instance.max_speed, instance.horizon
+    (10, 4.0, 150.0)
+    """
     if n not in PAPER_SIZES:
         raise InputError(f"n: expected one of {PAPER_SIZES}, found {n!r}")
     if index not in PAPER_INDICES:

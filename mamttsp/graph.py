@@ -118,6 +118,13 @@ def build_graph(instance, prune=False, by_agent=False):
     prune: leave out the edges that no agent of the layer could fly in time, or for lack of capacity. It never changes
     an optimum: targets are slower than agents, so an agent that leaves i at its start and cannot reach the end of j in
     time cannot reach j at all, from any time in i.
+
+    >>> from mamttsp import build_graph, paper_instance
+    >>> graph = build_graph(paper_instance(5, 0, total_window=20))
+    >>> graph.s, graph.s_prime, graph.C(0).tolist()
+    (0, 14, [1, 2])
+    >>> len(graph.edges)
+    160
     """
     of_type("instance", instance, Instance)
     types = np.repeat(np.arange(len(instance.agents)), instance.counts if by_agent else 1)

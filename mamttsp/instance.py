@@ -25,6 +25,13 @@ class Target:
     points: (K, 2) positions at those times, in units.
     windows: (W, 2) pairs (start, end) in s, in order, not overlapping (they may touch), inside [times[0], times[-1]].
     demand: what serving it takes of an agent's capacity, in the unit of that.
+
+    >>> from mamttsp import Target
+    >>> target = Target(times=[0, 10, 20], points=[[0, 0], [20, 0], [20, 30]], windows=[[2, 8]])
+    >>> target.position(5).tolist()
+    [10.0, 0.0]
+    >>> target.speeds.tolist()
+    [2.0, 3.0]
     """
 
     times: np.ndarray
@@ -72,6 +79,14 @@ class Instance:
     Instance(targets, n_agents, depot, max_speed, horizon) is the paper's: `n_agents` equal agents at one `depot`, (2,)
     in units, with `max_speed` v_max in units/s. R: the big-M of the baseline in units, at least every distance that may
     be flown, such as the diagonal of the area in which the targets move; None takes `size`.
+
+    >>> from mamttsp import Instance, Target
+    >>> target = Target(times=[0, 10], points=[[3, 4], [3, 4]], windows=[[2, 8]])
+    >>> instance = Instance([target], n_agents=1, depot=(0, 0), max_speed=4, horizon=10)
+    >>> instance.n_targets, instance.size
+    (1, 5.0)
+    >>> Instance.from_dict(instance.to_dict()) == instance
+    True
     """
 
     targets: tuple

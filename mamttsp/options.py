@@ -20,6 +20,12 @@ class Progress:
     time: s since its start; objective, bound, gap: best so far, None while unknown (gap as a fraction);
     nodes: branch-and-bound nodes, labels of the exact solver, None where the solver has none; phase: one or two words,
     e.g. "scip" or "dive"; columns: routes that the exact solver has closed, None where a solver has none.
+
+    >>> from mamttsp import generate, solve
+    >>> seen = []
+    >>> solution = solve(generate(n_targets=5, total_window=20, seed=1), progress=seen.append)
+    >>> seen[-1].objective == solution.objective
+    True
     """
 
     time: float

@@ -15,6 +15,11 @@ class PaperSolution(Solution):
     status, objective and bound are the model's own. paths: the targets along each path from the depot; cycles: the
     targets of each cycle that misses the depot, flown by nobody. `tours` is empty if there is a cycle, or a path that
     only the solver's tolerance lets through: then the claim is false, or at least unproved.
+
+    >>> from mamttsp import generate, solve
+    >>> claim = solve(generate(n_targets=3, total_window=20, seed=1), method="micp", solver="scip", subtour_cuts=False)
+    >>> claim.cycles, sorted(target for path in claim.paths for target in path)
+    ((), [0, 1, 2])
     """
 
     paths: tuple = ()

@@ -30,6 +30,13 @@ class Solution:
     solution, None if none is known; runtime: solver's wall time in s; build_time: time to build and hand over the
     model. tours: tuple of Tour; nodes: branch-and-bound nodes; subtour_cuts: cuts added against cycles that nobody
     flies. reason: of an infeasible instance, why it is, or that nothing short says so; None else.
+
+    >>> from mamttsp import Solution
+    >>> solution = Solution("feasible", objective=125.0, bound=100.0, runtime=60.0, tours=(), method="micp", solver="scip")
+    >>> solution.gap
+    0.2
+    >>> Solution.from_dict(solution.to_dict()) == solution
+    True
     """
 
     status: str

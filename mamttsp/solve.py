@@ -47,6 +47,15 @@ def solve(
 
     A limit, or Ctrl-C, is a status and never an exception. InputError: a bad argument, or a solver that cannot be used
     here; FlowError: the solver's answer contradicts itself.
+
+    >>> from mamttsp import Instance, Target, solve
+    >>> target = Target(times=[0, 10], points=[[3, 4], [3, 4]], windows=[[2, 8]])
+    >>> instance = Instance([target], n_agents=1, depot=(0, 0), max_speed=4, horizon=10)
+    >>> solution = solve(instance)
+    >>> solution.status, round(solution.objective, 3)
+    ('optimal', 10.0)
+    >>> solve(instance, method="micp", solver="scip").status
+    'optimal'
     """
     of_type("instance", instance, Instance)
     options = Options(time_limit, gap, threads, seed, verbose, progress, begin_with(instance, start))

@@ -21,7 +21,12 @@ class TourError(ValueError):
 
 @dataclasses.dataclass(frozen=True)
 class Visit:
-    """A visit of `target` (from 0) at `time` in s, at `position` (x, y) in units."""
+    """A visit of `target` (from 0) at `time` in s, at `position` (x, y) in units.
+
+    >>> from mamttsp import Visit
+    >>> Visit(target=0, time=2.5, position=(3.0, 4.0))
+    Visit(target=0, time=2.5, position=(3.0, 4.0))
+    """
 
     target: int
     time: float
@@ -33,6 +38,11 @@ class Tour:
     """One agent's tour: it leaves its depot at time 0, makes its visits in order and is at its end at `return_time`.
 
     agent: the number of the agent's type, an entry of `Instance.agents`; None where there is only one.
+
+    >>> from mamttsp import Tour, Visit
+    >>> tour = Tour((Visit(0, 2.5, (3.0, 4.0)),), return_time=4.0)
+    >>> Tour.from_dict(tour.to_dict()) == tour
+    True
     """
 
     visits: tuple
@@ -120,6 +130,17 @@ def check(instance, tours, tolerance=TOLERANCE):
     horizon, with no more demand than its capacity; of no type more tours than agents. A tour without visits is an agent
     that stays at its depot. Lengths may be off by `tolerance` x the instance's size (the diagonal of depots, ends and
     paths), times by `tolerance` x the horizon, demands by `tolerance` x the capacity.
+
+    >>> from mamttsp import Instance, Target, Tour, Visit, check
+    >>> target = Target(times=[0, 10], points=[[3, 4], [3, 4]], windows=[[2, 8]])
+    >>> instance = Instance([target], n_agents=1, depot=(0, 0), max_speed=4, horizon=10)
+    >>> check(instance, [Tour((Visit(0, 2.5, (3.0, 4.0)),), return_time=4.0)])
+    10.0
+    >>> check(instance, [Tour((Visit(0, 1.0, (3.0, 4.0)),), return_time=4.0)])
+    Traceback (most recent call last):
+        ...
+    mamttsp.tours.TourError: tour 0, target 0: visited at 1, outside its windows [[2.0, 8.0]]
+    tour 0, to target 0: 5 units in 1 s, faster than max_speed 4
     """
     of_type("instance", instance, Instance)
     tours, slack = as_tours(tours), positive("tolerance", tolerance) * instance.horizon

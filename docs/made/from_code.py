@@ -1,5 +1,6 @@
 """Tables of what the code says of itself, as Markdown: solvers, equations, variables."""
 
+import re
 from functools import cache
 
 import pyomo.environ as pyo
@@ -42,7 +43,7 @@ def equations():
         parts += [f"### {TITLES[method]}", "", "| equation | name in the code | what it says |", "|---|---|---|"]
         for family in ("length", *families):
             number, _, says = model.component(family).doc.partition(" ")
-            parts.append(f"| {number} | `{family}` | {says} |")
+            parts.append(f"| {number} | `{family}` | {_with_symbols(says)} |")
         code = source(method, "length", *families)
         parts += ["", f":::{{dropdown}} The code of these rows: `{method}`", "```python", code, "```", ":::", ""]
     return "\n".join(parts)
@@ -57,11 +58,17 @@ def variables():
                 symbol, _, says = variable.doc.partition(": ")
                 found.setdefault((symbol, variable.name, says), []).append(method)
     lines = ["| paper | name in the code | what it is | in |", "|---|---|---|---|"]
-    lines += [f"| ${_tex(s)}$ | `{name}` | {says} | {', '.join(where)} |" for (s, name, says), where in found.items()]
+    for (symbol, name, says), where in found.items():
+        lines.append(f"| {_with_symbols(symbol)} | `{name}` | {_with_symbols(says)} | {', '.join(where)} |")
     return "\n".join(lines)
 
 
+def _with_symbols(text):
+    """Set the symbols in a sentence of a model, such as z'_{e,p}, v_max and alpha, as formulas."""
+    return re.sub(r"(?<!\w)(?:alpha|[a-z]'?(?:_bar|_xy)?_(?:\{[^}]*\}|\w+))", lambda found: f"${_tex(found[0])}$", text)
+
+
 def _tex(symbol):
-    for plain, tex in (("l_xy_", r"l^{xy}_"), ("l_bar_", r"\bar l_"), ("alpha", r"\alpha")):
+    for plain, tex in (("l_xy", "l^{xy}"), ("l_bar", r"\bar l"), ("v_max", "v_{max}"), ("alpha", r"\alpha")):
         symbol = symbol.replace(plain, tex)
     return symbol

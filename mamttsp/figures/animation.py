@@ -61,6 +61,13 @@ def film(instance, tours, step=3.0):
     It plays without a kernel and without the network; where scripts are off, its first picture stands there. The same
     tours give the same bytes. tours: a Solution, or a sequence of Tour. InputError: not an Instance, no tours, or a
     step that is not above 0.
+
+    >>> from mamttsp import generate, solve
+    >>> from mamttsp.figures import film
+    >>> instance = generate(n_targets=3, total_window=20, seed=1)
+    >>> shown = film(instance, solve(instance).tours, step=50)
+    >>> "animation" in shown.html
+    True
     """
     of_type("instance", instance, Instance)
     tours, step = as_tours(tours), positive("step", step)

@@ -19,6 +19,12 @@ def plan_view(instance, tours=(), ax=None):
     windows are thick and yellow; each tour has a colour, line style and marker of its own; each visit has its target's
     number beside it. Targets and tours have the numbers of files and code, from 0. The legend counts idle agents.
     InputError: not an Instance, or no tours.
+
+    >>> from mamttsp import generate
+    >>> from mamttsp.figures import plan_view
+    >>> ax = plan_view(generate(n_targets=3, total_window=20, seed=1))
+    >>> ax.get_xlabel()
+    'x (units)'
     """
     tours = as_tours(tours)
     ax = ax or plt.figure(figsize=(8, 6), layout="constrained").add_subplot()

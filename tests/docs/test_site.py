@@ -92,7 +92,7 @@ def test_tables_and_sentences_come_from_rows(pages):
     rows = pages[Path("reach.html")].select_one("table").select("tbody tr")
     assert len(rows) == len(beyond) and "gap (%)" in pages[Path("reach.html")].get_text()
     assert len(pages[Path("benchmarks.html")].select("table")) == 4
-    assert not [path for path, page in pages.items() if "{{" in "".join(a.get_text() for a in page.select("article"))]
+    assert not [path for path, page in pages.items() if "{{ " in "".join(a.get_text() for a in page.select("article"))]
 
 
 def test_how_mathematics_is_set_is_beside_the_pages(site, pages):

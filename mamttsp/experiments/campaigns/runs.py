@@ -38,6 +38,10 @@ def profile(name, solver=None):
     the MICP on our branch and bound over Clarabel, instances 0 to 4 of each n within 60 s. "full": the paper's 1120
     runs, MICP and baseline within 1800 s on `solver` (default: scip). "exact": our own solver on all 560 settings
     within 300 s.
+
+    >>> from mamttsp.experiments import profile
+    >>> len(profile("exact")), profile("exact")[0].method
+    (560, 'exact')
     """
     if name not in PROFILES:
         raise InputError(f"profile: expected one of {', '.join(PROFILES)}, found {name!r}")
