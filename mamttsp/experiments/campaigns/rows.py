@@ -42,8 +42,9 @@ def tours_of(row):
     """Return the Tours of a row, to be checked against its instance; none if the run found none.
 
     >>> from mamttsp.experiments import tours_of
-    >>> tours_of({"tours": '[{"visits": [], "return_time": 0.0}]'})
-    (Tour(visits=(), return_time=0.0),)
+    >>> (tour,) = tours_of({"tours": '[{"visits": [], "return_time": 0.0}]'})
+    >>> tour.return_time
+    0.0
     """
     return tuple(Tour.from_dict(tour) for tour in json.loads(row["tours"] or "[]"))
 
