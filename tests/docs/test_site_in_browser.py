@@ -31,7 +31,8 @@ def page(browser, request):
     page.complaints = []
     page.on("console", lambda message: message.type in ("error", "warning") and page.complaints.append(message.text))
     page.on("pageerror", lambda error: page.complaints.append(str(error)))
-    page.on("requestfailed", lambda wanted: page.complaints.append(wanted.url))
+    # what the next page interrupts has not failed
+    page.on("requestfailed", lambda w: w.failure == "net::ERR_ABORTED" or page.complaints.append(w.url))
     page.on("request", lambda wanted: wanted.url.startswith(("file:", "data:")) or page.complaints.append(wanted.url))
     yield page
     page.close()
