@@ -6,7 +6,7 @@ from functools import cache
 import pyomo.environ as pyo
 
 from mamttsp import Instance, Target, build_graph
-from mamttsp.backends import SOLVERS
+from mamttsp.backends import SOLVERS, STARTS
 from mamttsp.formulations import build_formulation
 from mamttsp.formulations.equations import EQUATIONS
 from mamttsp.study.source import source
@@ -17,12 +17,12 @@ OPEN_SOLVERS = ("scip", "clarabel", "highs")
 
 
 def solvers():
-    """A table: which solver takes which formulation stated in which modeler."""
-    lines = ["| solver | licence | Pyomo | cvxpy |", "|---|---|---|---|"]
+    """A table: which solver takes which formulation stated in which modeler, and whether it begins from known tours."""
+    lines = ["| solver | licence | Pyomo | cvxpy | start |", "|---|---|---|---|---|"]
     for solver, routes in SOLVERS.items():
         licence = "open" if solver in OPEN_SOLVERS else "commercial"
         cells = (", ".join(f"`{method}`" for method in routes.get(modeler, ())) or "–" for modeler in ("pyomo", "cvxpy"))
-        lines.append(f"| `{solver}` | {licence} | {' | '.join(cells)} |")
+        lines.append(f"| `{solver}` | {licence} | {' | '.join(cells)} | {'yes' if solver in STARTS else '–'} |")
     return "\n".join(lines)
 
 
