@@ -48,6 +48,7 @@ html_static_path = ["_static", str(_mathjax)]
 html_css_files = ["site.css"]
 html_js_files = ["from_disk.js"]
 templates_path = ["_templates"]
+html_domain_indices = False
 html_sourcelink_suffix = ""  # a notebook is downloaded under its own name
 html_sidebars = {page: [] for page in ("index", "benchmarks", "reach", "CHANGELOG", "search", "genindex")}
 html_context = {"default_mode": "auto"}  # dark where the reader's system is
