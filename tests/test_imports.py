@@ -23,12 +23,12 @@ def imported(statement):
 def test_the_package_itself_needs_none_of_the_slow_ones():
     modules = imported("import mamttsp")
     assert "mamttsp.solve" in modules and "numpy" in modules
-    assert not modules & (MODELERS | DRAWING | {"scipy.sparse", "networkx", "clarabel", "tqdm"})
+    assert not modules & (MODELERS | DRAWING | {"numba", "scipy.sparse", "networkx", "clarabel", "tqdm"})
 
 
 def test_the_command_line_needs_none_of_them_to_say_what_is_wrong():
     modules = imported("from mamttsp.__main__ import main; assert main(['solve', 'nowhere.json']) == 2")
-    assert not modules & (MODELERS | DRAWING | {"scipy.sparse", "networkx", "clarabel"})
+    assert not modules & (MODELERS | DRAWING | {"numba", "scipy.sparse", "networkx", "clarabel"})
 
 
 def test_the_exact_method_needs_no_modeler_and_nothing_that_draws():

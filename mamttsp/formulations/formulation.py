@@ -6,7 +6,6 @@ import time
 
 import numpy as np
 
-from ..graph import build_graph
 from ..validation import InputError
 from .equations import EQUATIONS
 
@@ -153,4 +152,6 @@ def graph_for(method, instance, prune=False):
     The MICP has a flow for each type of agents. The other two have one for each agent; agents of a single type share
     a layer all the same, as in the paper.
     """
+    from ..graph import build_graph  # here: numba behind it takes its time to import
+
     return build_graph(instance, prune, by_agent=method != "micp" and len(instance.agents) > 1)
