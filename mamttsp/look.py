@@ -7,6 +7,8 @@ from .tours import agents_of, as_tours
 from .validation import of_type
 
 _COLUMNS = ("tour", "order", "target", "time", "x", "y", "leg_length", "waited")
+#: less than this, relative to the horizon, is a rounding error of times and no wait
+_INSTANT = 1e-9
 
 
 def visits(instance, solution):
@@ -53,5 +55,6 @@ def _rows(instance, tours):
         for order, visit in enumerate(tour.visits):
             length = float(np.linalg.norm(np.subtract(visit.position, place)))
             waited = visit.time - time - length / entry.max_speed
-            yield k, order, visit.target, visit.time, *visit.position, length, max(waited, 0.0)
+            waited *= waited > _INSTANT * instance.horizon
+            yield k, order, visit.target, visit.time, *visit.position, length, waited
             place, time = visit.position, visit.time
