@@ -13,6 +13,7 @@ def everything():
         "reach_in_words": from_rows.reach_in_words(),
         "solvers": from_code.solvers(),
         "equations": from_code.equations(),
+        "beyond": from_code.beyond(),
         "variables": from_code.variables(),
         "how_to_cite": from_citation.how_to_cite(),
         "bibtex": from_citation.bibtex(),

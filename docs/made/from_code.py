@@ -8,7 +8,7 @@ import pyomo.environ as pyo
 from mamttsp import Instance, Target, build_graph
 from mamttsp.backends import SOLVERS, STARTS
 from mamttsp.formulations import build_formulation
-from mamttsp.formulations.equations import EQUATIONS
+from mamttsp.formulations.equations import BEYOND, EQUATIONS
 from mamttsp.study.source import source
 
 TITLES = {"baseline": "The baseline, Section III", "nonconvex": "The nonconvex program, Section IV-A"}
@@ -47,6 +47,15 @@ def equations():
         code = source(method, "length", *families)
         parts += ["", f":::{{dropdown}} The code of these rows: `{method}`", "```python", code, "```", ":::", ""]
     return "\n".join(parts)
+
+
+def beyond():
+    """A table of the families that unlike agents and capacities add or state anew."""
+    lines = ["| formulation | name in the code | generalises |", "|---|---|---|"]
+    for method, families in BEYOND.items():
+        for family, number in families.items():
+            lines.append(f"| {method} | `{family}` | {f'({number})' if number else '–'} |")
+    return "\n".join(lines)
 
 
 def variables():

@@ -11,6 +11,7 @@ from PIL import Image
 
 import mamttsp
 from docs.conftest import ROOT
+from mamttsp.formulations import build_formulation
 from mamttsp.study.course import notebooks
 
 LOADED = "img[src], script[src], iframe[src], source[src], video[src], audio[src], link[href]"
@@ -83,6 +84,15 @@ def test_every_public_name_is_in_the_reference(pages):
     api = [page for path, page in pages.items() if path.parent.name == "api"]
     documented = {tag["id"].removeprefix("module-") for page in api for tag in page.select("dt[id], [id^=module-]")}
     assert {f"mamttsp.{name}" for name in mamttsp.__all__} - documented == set()
+
+
+def test_the_names_of_sets_and_data_are_those_of_the_code():
+    instance = mamttsp.paper_instance(5, 0)
+    graph = mamttsp.build_graph(instance)
+    homes = {"graph": graph, "m": build_formulation("baseline", "pyomo", graph, 1).model}
+    text = (ROOT / "docs" / "how-to" / "symbols.md").read_text(encoding="utf-8")
+    names = re.findall(r"`(graph|m)\.(\w+)", text)
+    assert len(names) > 10 and not [name for home, name in names if not hasattr(homes[home], name)]
 
 
 def test_tables_and_sentences_come_from_rows(pages):
