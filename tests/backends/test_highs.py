@@ -6,13 +6,14 @@ import highspy
 import numpy as np
 import pytest
 from examples import instance, still
+from general_instances import random_general
 from meetings import passing
 from oracle import optimum
 
 from mamttsp import build_graph, generate, solve
 from mamttsp.backends import Options, highs
 from mamttsp.backends.cone_cuts import ConeCuts
-from mamttsp.formulations import build_formulation
+from mamttsp.formulations import build_formulation, graph_for
 
 
 def _formulation(problem, method="micp"):
@@ -67,6 +68,14 @@ def test_the_optimum(method):
 def test_no_solution():
     nowhere = instance(still(10, 0, [(5, 6)]), still(-10, 0, [(5, 6)]))
     assert highs.solve(_formulation(nowhere), Options()).status == "infeasible"
+
+
+def test_no_optimum_is_lost_to_presolve():
+    """With its presolve, HiGHS 1.15 proves 145.28 here."""
+    problem = random_general(3, 2, 28)
+    answer = highs.solve(build_formulation("micp", "cvxpy", graph_for("micp", problem)), Options())
+    assert answer.bound <= optimum(problem) * (1 + 1e-6)
+    assert answer.objective == pytest.approx(optimum(problem), rel=1e-4)
 
 
 @pytest.mark.parametrize("miss", [1e-9, 1e-8, 3e-7, 1e-6, 1e-5])
