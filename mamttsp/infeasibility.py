@@ -98,7 +98,10 @@ def _few_followers(follows):
     """
     n = len(follows)
     most = int((maximum_bipartite_matching(csr_array(follows), perm_type="column") >= 0).sum())
-    return n - most, f"at most {most} of the {n} targets can be visited right after another one, each after a different one"
+    return (
+        n - most,
+        f"at most {most} of the {n} targets can be visited right after another one, each after a different one",
+    )
 
 
 def _listed(items, separator):

@@ -20,7 +20,10 @@ def linear_paths(p, v, windows, horizon):
             found = len(value) if hasattr(value, "__len__") else brief(value)
             raise InputError(f"{name}: expected one for each of the {len(p)} rows of p, found {found}")
     return [
-        (f"targets[{u}]", {"times": [0.0, horizon], "points": [start, start + horizon * velocity], "windows": pairs(own)})
+        (
+            f"targets[{u}]",
+            {"times": [0.0, horizon], "points": [start, start + horizon * velocity], "windows": pairs(own)},
+        )
         for u, (start, velocity, own) in enumerate(zip(p, v, windows))
     ]
 
@@ -38,7 +41,9 @@ def frame_paths(breakpoints, windows):
             raise InputError(f"windows: target {brief(name)} has none")
         times, *xy = zip(*rows)
         path = {"times": times, "points": list(zip(*xy)), "windows": opened[name]}
-        found.append((f"target {brief(name)}", path if len(times) > 1 else parked_path(path["points"][0], opened[name])))
+        found.append(
+            (f"target {brief(name)}", path if len(times) > 1 else parked_path(path["points"][0], opened[name]))
+        )
     return found
 
 
@@ -59,7 +64,9 @@ def _groups(what, frame, columns):
     """Return {target: its rows, in order of the first column}, targets in the order of their first rows."""
     missing = [name for name in ("target", *columns) if name not in getattr(frame, "columns", ())]
     if missing:
-        raise InputError(f"{what}: expected a DataFrame with the columns target, {', '.join(columns)}; missing: {', '.join(missing)}")
+        raise InputError(
+            f"{what}: expected a DataFrame with the columns target, {', '.join(columns)}; missing: {', '.join(missing)}"
+        )
     groups = {}
     for name, *row in zip(*(frame[column].tolist() for column in ("target", *columns))):
         groups.setdefault(name, []).append(tuple(row))

@@ -47,5 +47,6 @@ def _rows(solution):
 def _tour(tour):
     if not tour.visits:
         return "stays at the depot"
+    kind = "" if tour.agent is None else f"by an agent of type {tour.agent}: "
     visits = ", ".join(f"{visit.target} at {visit.time:.2f} s" for visit in tour.visits)
-    return f"target{'s' * (len(tour.visits) > 1)} {visits}; back at {tour.return_time:.2f} s"
+    return f"{kind}target{'s' * (len(tour.visits) > 1)} {visits}; back at {tour.return_time:.2f} s"

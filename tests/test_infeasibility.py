@@ -76,7 +76,10 @@ def test_several_such_targets_are_listed_and_many_are_counted():
 
 def test_targets_that_exclude_each_other_are_named():
     apart = [still(10, 0), still(40, 0, [(20, 21)]), still(-40, 0, [(20, 21)])]
-    assert why_infeasible(instance(*apart)) == "no agent can visit two of the targets 1, 2: 2 agents are needed, there is 1"
+    assert (
+        why_infeasible(instance(*apart))
+        == "no agent can visit two of the targets 1, 2: 2 agents are needed, there is 1"
+    )
     assert why_infeasible(instance(*apart, n_agents=2)) is None
     apart.append(still(0, 40, [(20, 21)]))
     reason = "no agent can visit two of the targets 1, 2, 3: 3 agents are needed, there are 2"

@@ -56,7 +56,9 @@ def test_plot_draws_the_plan_with_or_without_tours():
 
 
 @pytest.mark.parametrize("look", [mamttsp.visits, mamttsp.plot])
-@pytest.mark.parametrize("given, message", [(({}, []), "instance: expected Instance"), ((INSTANCE, 3), "tours: expected")])
+@pytest.mark.parametrize(
+    "given, message", [(({}, []), "instance: expected Instance"), ((INSTANCE, 3), "tours: expected")]
+)
 def test_a_wrong_type_is_one_line(look, given, message):
     with pytest.raises(InputError, match=f"^{message}[^\\n]*\\Z"):
         look(*given)

@@ -4,7 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from mamttsp import InputError, Instance, Target
+from mamttsp import Agents, InputError, Instance, Target
 
 FLEET = {"n_agents": 2, "depot": (0.0, 0.0), "max_speed": 4.0}
 P, V, WINDOWS = [[30, 0], [-20, 10], [5, 5]], [[0, 0.5], [0.2, 0], [0, 0]], [(10, 30), (40, 60), (0, 100)]
@@ -13,7 +13,9 @@ P, V, WINDOWS = [[30, 0], [-20, 10], [5, 5]], [[0, 0.5], [0.2, 0], [0, 0]], [(10
 def frames():
     rows = [["b", 50, 30, 25], ["a", 0, 1, 2], ["b", 0, 30, 0], ["b", 100, 0, 25]]
     windows = [["a", 60, 70], ["a", 5, 8], ["b", 10, 90]]
-    return pd.DataFrame(rows, columns=["target", "time", "x", "y"]), pd.DataFrame(windows, columns=["target", "start", "end"])
+    return pd.DataFrame(rows, columns=["target", "time", "x", "y"]), pd.DataFrame(
+        windows, columns=["target", "start", "end"]
+    )
 
 
 def test_arrays_are_straight_motions_over_the_horizon():
@@ -78,9 +80,18 @@ def test_arrays_that_do_not_fit_are_named(change, message):
 @pytest.mark.parametrize(
     "change, message",
     [
-        (lambda b, w: ({}, w), "breakpoints: expected a DataFrame with the columns target, time, x, y; missing: target"),
-        (lambda b, w: (b.drop(columns="y"), w), "breakpoints: expected a DataFrame with the columns target, time, x, y; missing: y"),
-        (lambda b, w: (b, w.rename(columns={"end": "stop"})), "windows: expected a DataFrame with the columns target, start, end"),
+        (
+            lambda b, w: ({}, w),
+            "breakpoints: expected a DataFrame with the columns target, time, x, y; missing: target",
+        ),
+        (
+            lambda b, w: (b.drop(columns="y"), w),
+            "breakpoints: expected a DataFrame with the columns target, time, x, y; missing: y",
+        ),
+        (
+            lambda b, w: (b, w.rename(columns={"end": "stop"})),
+            "windows: expected a DataFrame with the columns target, start, end",
+        ),
         (lambda b, w: (b, w[w.target == "a"]), "windows: target 'b' has none"),
         (lambda b, w: (b[b.target == "a"], w), "windows: target 'b' has no breakpoints"),
         (lambda b, w: (b.assign(x=[1.0, 1.0, np.nan, 1.0]), w), "target 'b'.points: every value must be finite"),
@@ -108,3 +119,12 @@ def test_a_parked_target_that_cannot_be_is_named(point, windows, message):
     with pytest.raises(InputError) as caught:
         Target.parked(point, windows)
     assert str(caught.value).startswith(message)
+
+
+def test_own_data_may_have_unlike_agents():
+    agents = [Agents(2, (0, 0), 4.0), Agents(1, (9, 0), 6.0, end=(0, 0), capacity=5.0)]
+    for made in (
+        Instance.from_arrays(P, V, WINDOWS, 100, agents=agents),
+        Instance.from_frames(*frames(), 100, agents=agents),
+    ):
+        assert list(made.agents) == agents and made.n_agents == 3

@@ -125,3 +125,9 @@ def test_html_in_a_name_is_text():
 def test_the_cycles_of_a_plain_model_are_in_its_table():
     claim = PaperSolution("optimal", 20.0, 20.0, 1.0, (), "micp", "scip", paths=((0,),), cycles=((1, 2),))
     assert str(claim).splitlines()[-1] == "cycle         targets 1, 2, flown by nobody"
+
+
+def test_tours_of_unlike_agents_name_their_type():
+    tour = dataclasses.replace(SOLUTION.tours[0], agent=1)
+    last = str(dataclasses.replace(SOLUTION, tours=(tour,))).splitlines()[-1]
+    assert last == "tour 0        by an agent of type 1: target 0 at 12.50 s; back at 40.00 s"

@@ -94,7 +94,9 @@ def test_a_solver_that_takes_no_start_says_so(solver, problem):
         solve(problem[0], method="micp", solver=solver, start=problem[1])
 
 
-@pytest.mark.parametrize("method, modeler", [("micp", "cvxpy"), ("baseline", "cvxpy"), ("micp", "pyomo"), ("baseline", "pyomo")])
+@pytest.mark.parametrize(
+    "method, modeler", [("micp", "cvxpy"), ("baseline", "cvxpy"), ("micp", "pyomo"), ("baseline", "pyomo")]
+)
 def test_a_conic_program_reads_the_point_that_is_in_its_variables(method, modeler, problem):
     made, start = problem
     formulation = build_formulation(method, modeler, build_graph(made), made.n_agents)
@@ -119,7 +121,9 @@ def test_tours_at_leisure_are_begun_from_at_their_best_times():
     begin_from(formulation, late)
     assert max(residuals(formulation.model).values()) < 1e-6
     graph = formulation.graph
-    assert best_tours(graph, [list(route) for route in routes_of(graph, graph.counts, late)])[0] == pytest.approx(20 + 200**0.5)
+    assert best_tours(graph, [list(route) for route in routes_of(graph, graph.counts, late)])[0] == pytest.approx(
+        20 + 200**0.5
+    )
 
 
 def test_a_solver_that_contradicts_the_tours_is_found_out(problem):
