@@ -7,6 +7,7 @@ from .agents import Agents
 from .backends import Progress, SolverUnavailable
 from .generate import generate, paper_instance
 from .instance import Instance, Target
+from .library import load
 from .look import plot, visits
 from .solution import Solution
 from .solve import solve
@@ -37,6 +38,7 @@ __all__ = [
     "check",
     "figures",
     "generate",
+    "load",
     "paper_instance",
     "plot",
     "solve",

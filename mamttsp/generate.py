@@ -10,6 +10,8 @@ from .validation import InputError, array, is_number, positive, whole
 
 PAPER_SIZES = (5, 10, 15, 20)
 PAPER_INDICES = range(20)
+#: changes whenever the same arguments come to give another instance
+GENERATOR_VERSION = 1
 _BATCH = 4096
 _DIGITS = 9
 
@@ -27,6 +29,7 @@ def generate(
     max_speed=4.0,
     target_speed=(0.5, 1.0),
     n_pieces=4,
+    nearest=None,
     widest_total_window=60.0,
     max_tries=10_000_000,
 ):
@@ -42,6 +45,8 @@ def generate(
     Open in the paper, chosen here:
     n_pieces: straight pieces of each trajectory; their durations are drawn between once and twice a common
     length, headings uniformly among those that stay inside the square.
+    nearest: the tour that the windows come from goes on to a random one of so many targets, those that it can meet
+    first, so that windows crowd early; None: to any target.
     widest_total_window: windows are nested for every total_window up to this one, so that longer windows contain the
     shorter ones; the first contains the visit time of a random single-agent tour flown at v_max, at a random place in
     it, and the second lies anywhere clear of the widest first one.
@@ -58,6 +63,7 @@ def generate(
     """
     for name, value in (("n_targets", n_targets), ("n_pieces", n_pieces), ("max_tries", max_tries)):
         whole(name, value, 1)
+    nearest = n_targets if nearest is None else whole("nearest", nearest, 1)
     whole("seed", seed, 0)
     for name, value in (("side", side), ("horizon", horizon), ("max_speed", max_speed)):
         positive(name, value)
@@ -68,7 +74,7 @@ def generate(
     # One stream for each part, so that none depends on how much another draws.
     path_rng, tour_rng, window_rng = np.random.default_rng([n_targets, seed]).spawn(3)
     paths = [_trajectory(path_rng, side, horizon, target_speed, n_pieces) for _ in range(n_targets)]
-    visits = _random_tour(tour_rng, paths, horizon, agents[0], max_tries)
+    visits = _random_tour(tour_rng, paths, horizon, agents[0], nearest, max_tries)
     targets = [
         Target(times, points, _windows(window_rng, visit, total_window / 2, widest_total_window / 2, horizon), demand)
         for (times, points), visit, demand in zip(paths, visits, demands)
@@ -155,18 +161,22 @@ def _next_point(rng, point, step, side):
             return candidate
 
 
-def _random_tour(rng, paths, horizon, entry, max_tries):
+def _random_tour(rng, paths, horizon, entry, nearest, max_tries):
     """Return the visit time of each target in the first random order that one agent can fly at v_max within T.
 
-    entry: the Agents that it is one of.
+    entry: the Agents that it is one of; nearest: among how many targets, those met first, each next one is drawn.
     """
-    from .random_order import first_flyable  # here, because numba takes its time to import
+    from .random_order import first_flyable, first_flyable_near  # here, because numba takes its time to import
 
     times = np.array([path[0] for path in paths])
     points = np.array([path[1] for path in paths])
+    agent = entry.depot, entry.end, entry.max_speed
     for start in range(0, max_tries, _BATCH):
         draws = rng.random((min(_BATCH, max_tries - start), len(paths)))
-        found, visits = first_flyable(draws, times, points, entry.depot, entry.end, entry.max_speed, horizon)
+        if nearest < len(paths):
+            found, visits = first_flyable_near(draws, times, points, *agent, horizon, nearest)
+        else:
+            found, visits = first_flyable(draws, times, points, *agent, horizon)
         if found:
             return visits
     raise InputError(

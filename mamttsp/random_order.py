@@ -31,6 +31,28 @@ def first_flyable(draws, times, points, depot, end, max_speed, horizon):
 
 
 @compiled
+def first_flyable_near(draws, times, points, depot, end, max_speed, horizon, nearest):
+    """Like first_flyable, but each number in a row of `draws` picks one of the `nearest` targets that are met first."""
+    n = draws.shape[1]
+    visits, meetings = np.zeros(n), np.zeros(n)
+    for draw in draws:
+        t, px, py = 0.0, depot[0], depot[1]
+        done = np.zeros(n, dtype=np.bool_)
+        for k in range(n):
+            for u in range(n):
+                meetings[u] = np.inf if done[u] else _meet_path(px, py, t, times[u], points[u], max_speed)[0]
+            u = np.argsort(meetings)[int(draw[k] * min(nearest, n - k))]
+            t, px, py = _meet_path(px, py, t, times[u], points[u], max_speed)
+            dx, dy = px - end[0], py - end[1]
+            if t + np.sqrt(dx * dx + dy * dy) / max_speed > horizon:
+                break
+            done[u], visits[u] = True, t
+        else:
+            return True, visits
+    return False, visits
+
+
+@compiled
 def _meet_path(px, py, t, times, points, max_speed):
     """Return the earliest (time, x, y) at which an agent at (px, py) at time t meets the target; time inf if never."""
     for piece in range(len(times) - 1):

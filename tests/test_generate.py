@@ -82,6 +82,28 @@ def test_one_agent_suffices_by_enumeration(seed):
     assert np.isfinite(lengths).all() and lengths == sorted(lengths, reverse=True)
 
 
+@given(st.integers(5, 15), seeds)
+def test_a_tour_among_all_targets_is_the_papers(n, seed):
+    spread, near = (generate(n, 20, seed=seed, horizon=300.0, n_pieces=8, nearest=k) for k in (None, 1))
+    assert all((a.points == b.points).all() for a, b in zip(spread.targets, near.targets)) and near != spread
+    assert generate(n, 20, seed=seed, horizon=300.0, n_pieces=8, nearest=n) == spread
+
+
+@pytest.mark.parametrize("nearest", (1, 2, 3))
+def test_the_tour_among_near_targets_is_flown_and_crowds_the_windows_early(nearest, monkeypatch):
+    module = sys.modules["mamttsp.generate"]
+    visits, draw = [], module._random_tour
+    monkeypatch.setattr(module, "_random_tour", lambda *given: visits.append(draw(*given)) or visits[-1])
+    for seed in range(5):
+        visits.clear()
+        generate(12, 20, seed=seed)
+        instance = generate(12, 20, seed=seed, nearest=nearest)
+        spread, near = visits
+        assert near.max() < spread.max()
+        tour = [Visit(int(u), near[u], tuple(instance.targets[u].position(near[u]))) for u in np.argsort(near)]
+        assert check(instance, [Tour(tuple(tour), tour[-1].time + np.linalg.norm(tour[-1].position) / 4.0)]) > 0
+
+
 TYPES = [Agents(1, (30.0, -30.0), 3.0, end=(0.0, 40.0), capacity=2.0), Agents(2, (0.0, 0.0), 5.0)]
 
 
@@ -162,6 +184,8 @@ def fingerprint(instance):
         ({"n_pieces": 0}, "n_pieces"),
         ({"n_pieces": 1}, "n_pieces"),  # a piece of 150 s may be longer than the square has room for
         ({"max_tries": 0}, "max_tries"),
+        ({"nearest": 0}, "nearest"),
+        ({"nearest": 1.5}, "nearest"),
         ({"agents": []}, "agents"),
         ({"agents": [4.0]}, "agents"),
         ({"agents": TYPES, "n_agents": 2}, "agents"),
