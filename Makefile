@@ -4,18 +4,26 @@ BIN := .venv/bin
 # The overview comes last: it looks for the figures that the others save.
 OVERVIEW := notebooks/00-overview.ipynb
 NOTEBOOKS = $(sort $(filter-out $(OVERVIEW) %.nbconvert.ipynb,$(wildcard notebooks/*.ipynb))) $(OVERVIEW)
+# What a new version of a package underneath may break: models, solvers, drawings, the command line.
+LOWEST = $(addprefix tests/, formulations backends branch_and_bound exact/test_optimum.py exact/test_windows.py \
+	experiments/summaries figures/test_drawings.py test_flow.py test_generate.py test_graph.py test_imports.py \
+	test_instance.py test_look.py test_main.py test_plain_model.py test_relaxation.py test_solve.py test_timing.py)
 # No time stamps in the saved file: the same results give the same bytes.
+# Kernels talk through sockets in a folder: a TCP port may be taken, and each kernel would warn of it.
 RUN_NOTEBOOK = $(BIN)/jupyter nbconvert --to notebook --execute --inplace --log-level=WARN \
+	--KernelManager.transport=ipc --KernelManager.ip=$$sockets/kernel \
 	--ExecutePreprocessor.record_timing=False \
 	--NotebookExporter.preprocessors=nbconvert.preprocessors.CoalesceStreamsPreprocessor
 # Two test processes share two cores: each keeps to one thread.
 export OMP_NUM_THREADS ?= 1
 
-.PHONY: help venv reproduce test test-all notebooks html benchmarks lab
+.PHONY: help venv reproduce test test-all lint lowest notebooks html benchmarks lab
 
 help:
 	@echo "make reproduce   set up, solve an instance, run the notebooks, rebuild every figure"
 	@echo "make test        set up and run the tests (test-all: the slow ones as well)"
+	@echo "make lint        style, names and types: ruff and mypy"
+	@echo "make lowest      a small suite with the lowest versions that pyproject.toml allows"
 	@echo "make notebooks   run every notebook again, save it and its figures"
 	@echo "make html        make the site, which needs no network: site/index.html"
 	@echo "make benchmarks  measure again the table in benchmarks/README.md"
@@ -51,15 +59,29 @@ test: venv
 test-all: venv
 	$(BIN)/python -m pytest -n 2 --dist loadgroup -m "slow or not slow" --timeout 3600
 
+lint: venv
+	$(BIN)/python -m ruff check
+	$(BIN)/python -m ruff format --check
+	$(BIN)/python -m mypy
+
+lowest:
+	@echo "== Installing the lowest versions that pyproject.toml allows into build/lowest =="
+	@mkdir -p build
+	$(PYTHON) -m venv --clear build/lowest
+	$(PYTHON) .ci/lowest.py > build/lowest.txt
+	build/lowest/bin/python -m pip install --quiet --disable-pip-version-check -r build/lowest.txt \
+		hypothesis pytest pytest-benchmark pytest-timeout pytest-xdist
+	build/lowest/bin/python -m pytest -n 2 -W ignore $(LOWEST)
+
 notebooks: venv
-	@set -e; for notebook in $(NOTEBOOKS); do echo "-- $$notebook"; $(RUN_NOTEBOOK) $$notebook; done
+	@set -e; sockets=$$(mktemp -d); trap 'rm -rf "$$sockets"' EXIT; for notebook in $(NOTEBOOKS); do echo "-- $$notebook"; $(RUN_NOTEBOOK) $$notebook; done
 
 html: venv
 	$(BIN)/python -m sphinx --quiet --keep-going -d build/doctrees docs site
 	@echo "== Done: site/index.html =="
 
 benchmarks: venv
-	$(BIN)/python benchmarks/build_models.py
+	$(BIN)/python -m benchmarks.build_models
 
 lab: venv
 	$(BIN)/jupyter lab --LabApp.default_url=/lab/tree/$(OVERVIEW)

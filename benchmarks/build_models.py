@@ -8,9 +8,9 @@ import importlib.metadata
 import platform
 import time
 
-from readme import write_section
 from tqdm import tqdm
 
+from benchmarks.readme import write_section
 from mamttsp import build_graph, generate
 from mamttsp.backends.scip_models import from_pyomo
 from mamttsp.formulations import build_formulation

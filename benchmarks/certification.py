@@ -1,7 +1,7 @@
 """Tell how fast the exact solver is: tables from the committed rows of campaigns, and its first solves.
 
-    python benchmarks/certification.py            tables of exact.csv, reduced.csv and longer.csv, into README.md
-    python benchmarks/certification.py --start    first solves: nothing compiled, and new process
+    python -m benchmarks.certification            tables of exact.csv, reduced.csv and longer.csv, into README.md
+    python -m benchmarks.certification --start    first solves: nothing compiled, and new process
 
 The rows themselves, in paper_results/, come from `python -m mamttsp campaign --profile exact` and `--profile reduced`,
 and from `longer.py`.
@@ -16,8 +16,8 @@ import time
 from pathlib import Path
 
 import psutil
-from readme import write_section
 
+from benchmarks.readme import write_section
 from mamttsp import paper_instance, solve
 from mamttsp.experiments.campaigns.rows import INSTANCE
 from mamttsp.experiments.summaries.row_statistics import conditions, read_table

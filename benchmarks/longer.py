@@ -1,6 +1,6 @@
 """Give the MICP on SCIP ten times its limit, for its time over ours where 60 s cut it off.
 
-    python benchmarks/longer.py            the runs that have no row in paper_results/longer.csv yet, one after another
+    python -m benchmarks.longer            the runs that have no row in paper_results/longer.csv yet, one after another
 
 Instance 0 of n = 10 and 15 in all seven settings, within 600 s each.
 """

@@ -1,7 +1,7 @@
 """Relax both conic programs on every setting of the paper, and append a row for each to a CSV file.
 
-    python benchmarks/relaxations.py                               all 560 settings, both programs: some 10 minutes
-    python benchmarks/relaxations.py --sizes 5 10                  the small ones
+    python -m benchmarks.relaxations                               all 560 settings, both programs: some 10 minutes
+    python -m benchmarks.relaxations --sizes 5 10                  the small ones
 
 What has a row is not done again. The rows are those of a campaign: `paper_results/README.md` explains them.
 """

@@ -1,6 +1,6 @@
 """How far the exact solver reaches: more targets than the paper has, and what stops it there.
 
-    python benchmarks/scale.py            the runs that have no row in paper_results/scale.csv yet, then the table
+    python -m benchmarks.scale            the runs that have no row in paper_results/scale.csv yet, then the table
 
 Windows of 40 s, each run in a process of its own within 600 s; the table goes into README.md. The horizon grows with n,
 or no single agent could fly the random tour that the windows come from.
@@ -13,9 +13,9 @@ from concurrent.futures import ProcessPoolExecutor, as_completed
 from pathlib import Path
 
 import pandas as pd
-from readme import write_section
 from tqdm import tqdm
 
+from benchmarks.readme import write_section
 from mamttsp import generate, paper_instance, solve
 from mamttsp.display import Trace
 from mamttsp.experiments.campaigns.provenance import provenance

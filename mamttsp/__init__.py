@@ -13,6 +13,7 @@ from .solution import Solution
 from .solve import solve
 from .tours import Tour, TourError, Visit, check
 from .validation import InputError
+from .versions import VERSION as __version__
 
 if TYPE_CHECKING:
     from . import figures
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
     from .graph import build_graph
     from .plain_model import PaperSolution
 
-__version__ = "0.1.0"
 __all__ = [
     "Agents",
     "FlowError",

@@ -1,8 +1,10 @@
 """Agents: one type of agents, all alike, as an entry of an instance."""
 
 import dataclasses
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .jsonfile import require
 from .validation import InputError, array, at_least_0, positive, whole
@@ -28,10 +30,21 @@ class Agents:
     count: int
     depot: np.ndarray
     max_speed: float
-    end: np.ndarray | None = None
+    end: np.ndarray = None  # type: ignore[assignment]  # the depot
     capacity: float | None = None
 
-    def __post_init__(self):
+    if TYPE_CHECKING:  # what may be given, beside what is kept
+
+        def __init__(
+            self,
+            count: int,
+            depot: ArrayLike,
+            max_speed: float,
+            end: ArrayLike | None = None,
+            capacity: float | None = None,
+        ) -> None: ...
+
+    def __post_init__(self) -> None:
         object.__setattr__(self, "count", whole("count", self.count, 1))
         object.__setattr__(self, "depot", array("depot", self.depot, (2,)))
         object.__setattr__(self, "max_speed", positive("max_speed", self.max_speed))
@@ -40,11 +53,11 @@ class Agents:
             object.__setattr__(self, "capacity", at_least_0("capacity", self.capacity))
 
     @property
-    def returns(self):
+    def returns(self) -> bool:
         """Whether the end is the depot."""
         return bool((self.end == self.depot).all())
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Any]:
         """Return the JSON object of an entry of `agents` in an instance file."""
         fields = {"count": self.count, "depot": self.depot.tolist(), "max_speed": self.max_speed}
         if not self.returns:
@@ -52,7 +65,7 @@ class Agents:
         return fields if self.capacity is None else fields | {"capacity": self.capacity}
 
     @classmethod
-    def from_dict(cls, data, where):
+    def from_dict(cls, data: Any, where: str) -> Self:
         """Build an entry from its JSON object; InputError names the field, below `where`, that is wrong."""
         if not isinstance(data, dict):
             raise InputError(f"{where}: expected an object with count, depot and max_speed")
@@ -64,8 +77,8 @@ class Agents:
         except InputError as error:
             raise InputError(f"{where}.{error}") from error
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
         return isinstance(other, Agents) and self.to_dict() == other.to_dict()
 
-    def __hash__(self):
+    def __hash__(self) -> int:
         return hash((self.count, *self.depot, self.max_speed, *self.end, self.capacity))

@@ -1,8 +1,10 @@
 """The paper's random instances (Section V-A), with every choice that the paper leaves open as a parameter."""
 
 import math
+from collections.abc import Iterable
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .agents import Agents
 from .instance import Instance, Target
@@ -17,22 +19,22 @@ _DIGITS = 9
 
 
 def generate(
-    n_targets,
-    total_window,
-    n_agents=1,
-    seed=0,
+    n_targets: int,
+    total_window: float,
+    n_agents: int = 1,
+    seed: int = 0,
     *,
-    agents=None,
-    demands=0.0,
-    side=100.0,
-    horizon=150.0,
-    max_speed=4.0,
-    target_speed=(0.5, 1.0),
-    n_pieces=4,
-    nearest=None,
-    widest_total_window=60.0,
-    max_tries=10_000_000,
-):
+    agents: Iterable[Agents] | None = None,
+    demands: ArrayLike = 0.0,
+    side: float = 100.0,
+    horizon: float = 150.0,
+    max_speed: float = 4.0,
+    target_speed: tuple[float, float] = (0.5, 1.0),
+    n_pieces: int = 4,
+    nearest: int | None = None,
+    widest_total_window: float = 60.0,
+    max_tries: int = 10_000_000,
+) -> Instance:
     """Return a random Instance by the recipe of Section V-A; the defaults are the paper's values.
 
     n_targets: n; total_window: total length in s of the two equal windows of each target; n_agents: m; seed: any whole
@@ -61,30 +63,29 @@ def generate(
     >>> instance == generate(n_targets=5, total_window=40, n_agents=2, seed=7)
     True
     """
-    for name, value in (("n_targets", n_targets), ("n_pieces", n_pieces), ("max_tries", max_tries)):
-        whole(name, value, 1)
-    nearest = n_targets if nearest is None else whole("nearest", nearest, 1)
+    for name, count in (("n_targets", n_targets), ("n_pieces", n_pieces), ("max_tries", max_tries)):
+        whole(name, count, 1)
+    among = n_targets if nearest is None else whole("nearest", nearest, 1)
     whole("seed", seed, 0)
     for name, value in (("side", side), ("horizon", horizon), ("max_speed", max_speed)):
         positive(name, value)
-    agents = _agents(agents, n_agents, max_speed)
-    demands = _demands(demands, n_targets)
+    fleet = _agents(agents, n_agents, max_speed)
     _check_windows(total_window, widest_total_window, horizon)
-    _check_target_speed(target_speed, min(entry.max_speed for entry in agents))
+    _check_target_speed(target_speed, min(entry.max_speed for entry in fleet))
     # One stream for each part, so that none depends on how much another draws.
     path_rng, tour_rng, window_rng = np.random.default_rng([n_targets, seed]).spawn(3)
     paths = [_trajectory(path_rng, side, horizon, target_speed, n_pieces) for _ in range(n_targets)]
-    visits = _random_tour(tour_rng, paths, horizon, agents[0], nearest, max_tries)
+    visits = _random_tour(tour_rng, paths, horizon, fleet[0], among, max_tries)
     targets = [
         Target(times, points, _windows(window_rng, visit, total_window / 2, widest_total_window / 2, horizon), demand)
-        for (times, points), visit, demand in zip(paths, visits, demands)
+        for (times, points), visit, demand in zip(paths, visits, _demands(demands, n_targets))
     ]
-    places = np.concatenate([(entry.depot, entry.end) for entry in agents])
+    places = np.concatenate([(entry.depot, entry.end) for entry in fleet])
     R = math.sqrt(2) * side if np.abs(places).max() <= side / 2 else None
-    return Instance(targets, agents=agents, horizon=horizon, R=R)
+    return Instance(targets, agents=fleet, horizon=horizon, R=R)
 
 
-def paper_instance(n, index, total_window=40, n_agents=1):
+def paper_instance(n: int, index: int, total_window: float = 40, n_agents: int = 1) -> Instance:
     """Return one of the 80 instances of our reproduction: n in 5, 10, 15, 20 targets, index 0 to 19.
 
     >>> from mamttsp import paper_instance

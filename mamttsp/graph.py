@@ -61,20 +61,20 @@ class Graph:
         return np.searchsorted(self.layer, np.arange(self.n_layers), side="right") - 1
 
     @property
-    def s(self):
+    def s(self) -> int:
         return int(_only(self.starts))
 
     @property
-    def s_prime(self):
+    def s_prime(self) -> int:
         return int(_only(self.ends))
 
     @property
-    def max_speed(self):
+    def max_speed(self) -> float:
         """v_max, where there is one layer."""
         return float(_only(self.speeds))
 
     @property
-    def n_layers(self):
+    def n_layers(self) -> int:
         return len(self.types)
 
     @property
@@ -88,31 +88,31 @@ class Graph:
         return bool((self.room < self.demands.sum()).any())
 
     @property
-    def V_seg(self):
+    def V_seg(self) -> list[int]:
         return np.flatnonzero(self.tau >= 0).tolist()
 
     @property
-    def n_targets(self):
+    def n_targets(self) -> int:
         return int(self.tau.max()) + 1
 
-    def C(self, u):
+    def C(self, u: int) -> np.ndarray:
         """Return the nodes of the cluster C_u: the segments of target u."""
         return np.flatnonzero(self.tau == u)
 
-    def into(self, i):
+    def into(self, i: int) -> np.ndarray:
         """Return the indices of E_i^in, the edges that enter node i."""
         return np.flatnonzero(self.edges[:, 1] == i)
 
-    def out_of(self, i):
+    def out_of(self, i: int) -> np.ndarray:
         """Return the indices of E_i^out, the edges that leave node i."""
         return np.flatnonzero(self.edges[:, 0] == i)
 
-    def position(self, i, t):
+    def position(self, i: int, t: float) -> np.ndarray:
         """Return the position (2,) of node i at time t."""
         return self.p_lo[i] + (t - self.t_lo[i]) * self.v[i]
 
 
-def build_graph(instance, prune=False, by_agent=False):
+def build_graph(instance: Instance, prune: bool = False, by_agent: bool = False) -> Graph:
     """Return the Graph of an instance, with a layer for each type of agents, or with `by_agent` for each agent.
 
     prune: leave out the edges that no agent of the layer could fly in time, or for lack of capacity. It never changes

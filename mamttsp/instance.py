@@ -2,14 +2,20 @@
 
 import dataclasses
 import json
-from collections.abc import Iterable
+import os
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .agents import Agents
 from .jsonfile import check_header, read_json, require, write_json
 from .paths import frame_paths, linear_paths, parked_path
 from .validation import InputError, array, at_least_0, brief, positive, whole
+
+if TYPE_CHECKING:
+    import pandas
 
 FORMAT = "mamttsp-instance"
 #: 1 has the paper's problem; 2 has types of agents, and demands
@@ -39,7 +45,11 @@ class Target:
     windows: np.ndarray
     demand: float = 0.0
 
-    def __post_init__(self):
+    if TYPE_CHECKING:  # what may be given, beside what is kept
+
+        def __init__(self, times: ArrayLike, points: ArrayLike, windows: ArrayLike, demand: float = 0.0) -> None: ...
+
+    def __post_init__(self) -> None:
         for name, shape in (("times", (-1,)), ("points", (-1, 2)), ("windows", (-1, 2))):
             object.__setattr__(self, name, array(name, getattr(self, name), shape))
         _check_path(self.times, self.points)
@@ -47,7 +57,7 @@ class Target:
         object.__setattr__(self, "demand", at_least_0("demand", self.demand))
 
     @classmethod
-    def parked(cls, point, windows):
+    def parked(cls, point: ArrayLike, windows: ArrayLike) -> Self:
         """Return a target that stays at `point`, (2,) in units. windows: (W, 2) in s, or a single (start, end).
 
         >>> from mamttsp import Target
@@ -57,16 +67,16 @@ class Target:
         """
         return cls(**parked_path(point, windows))
 
-    def position(self, t):
+    def position(self, t: float | Sequence[float] | np.ndarray) -> np.ndarray:
         """Return the position (2,) at time t, or (len(t), 2) for an array of times."""
         return np.stack([np.interp(t, self.times, self.points[:, axis]) for axis in (0, 1)], axis=-1)
 
     @property
-    def speeds(self):
+    def speeds(self) -> np.ndarray:
         """The speed on each of the K - 1 pieces, in units/s."""
         return np.linalg.norm(np.diff(self.points, axis=0), axis=1) / np.diff(self.times)
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Any]:
         path = {name: getattr(self, name).tolist() for name in ("times", "points", "windows")}
         return path | {"demand": self.demand} if self.demand else path
 
@@ -89,12 +99,22 @@ class Instance:
     True
     """
 
-    targets: tuple
-    agents: tuple
+    targets: tuple[Target, ...]
+    agents: tuple[Agents, ...]
     horizon: float
     R: float | None = None
 
-    def __init__(self, targets, n_agents=None, depot=None, max_speed=None, horizon=None, R=None, *, agents=None):
+    def __init__(
+        self,
+        targets: Iterable[Target],
+        n_agents: int | None = None,
+        depot: ArrayLike | None = None,
+        max_speed: float | None = None,
+        horizon: float | None = None,
+        R: float | None = None,
+        *,
+        agents: Iterable[Agents] | None = None,
+    ) -> None:
         if isinstance(targets, (str, dict)) or not isinstance(targets, Iterable):
             raise InputError(f"targets: expected a list of Targets, found {brief(targets)}")
         object.__setattr__(self, "targets", tuple(targets))
@@ -106,60 +126,60 @@ class Instance:
             _check_big_m(self)
 
     @property
-    def n_targets(self):
+    def n_targets(self) -> int:
         return len(self.targets)
 
     @property
-    def n_agents(self):
+    def n_agents(self) -> int:
         """m: the number of agents, of all types."""
         return sum(self.counts)
 
     @property
-    def counts(self):
+    def counts(self) -> tuple[int, ...]:
         """The number of agents of each type, a tuple."""
         return tuple(entry.count for entry in self.agents)
 
     @property
-    def depot(self):
+    def depot(self) -> np.ndarray:
         """s: the depot (2,) at which all agents start; InputError if there are several."""
         return self._common("depot")
 
     @property
-    def max_speed(self):
+    def max_speed(self) -> float:
         """v_max of all agents in units/s; InputError if there are several."""
         return self._common("max_speed")
 
-    def _common(self, field):
+    def _common(self, field: str) -> Any:
         first, *others = (getattr(entry, field) for entry in self.agents)
         if any(np.any(other != first) for other in others):
             raise InputError(f"{field}: the types of agents differ in it; agents[k].{field} is that of type k")
         return first
 
     @property
-    def plain(self):
+    def plain(self) -> bool:
         """Whether this is the paper's problem: one type of agents, which return to their depot, and no demands."""
         (first, *others) = self.agents
         alike = not others and first.returns and first.capacity is None
         return alike and not any(target.demand for target in self.targets)
 
     @property
-    def size(self):
+    def size(self) -> float:
         """The diagonal of the smallest upright rectangle that holds all depots, ends and paths, in units."""
         points = self._corners()
         return float(np.linalg.norm(points.max(axis=0) - points.min(axis=0)))
 
-    def _corners(self):
+    def _corners(self) -> np.ndarray:
         """Return (K, 2) the points whose hull holds all depots, ends and paths."""
         return np.vstack([*((entry.depot, entry.end) for entry in self.agents), *(u.points for u in self.targets)])
 
-    def with_agents(self, n_agents):
+    def with_agents(self, n_agents: int) -> Self:
         """Return the same instance with another number of agents; InputError if they are of several types."""
         if len(self.agents) > 1:
             raise InputError(f"n_agents: there are {len(self.agents)} types of agents, each with a count of its own")
         entry = dataclasses.replace(self.agents[0], count=whole("n_agents", n_agents, 1))
         return dataclasses.replace(self, agents=(entry,))
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Any]:
         """Return the JSON object of the file format (times in s, lengths in units), of version 1 where that suffices."""
         common = {"horizon": self.horizon} if self.R is None else {"horizon": self.horizon, "R": self.R}
         targets = [target.to_dict() for target in self.targets]
@@ -178,7 +198,7 @@ class Instance:
         }
 
     @classmethod
-    def from_arrays(cls, p, v, windows, horizon, **fleet):
+    def from_arrays(cls, p: ArrayLike, v: ArrayLike, windows: Any, horizon: float, **fleet: Any) -> Self:
         """Build an instance of targets that move straight, at constant velocity, from arrays.
 
         p: (n, 2) positions at time 0 in units; v: (n, 2) velocities in units/s; windows: (n, 2) pairs (start, end) in
@@ -195,7 +215,9 @@ class Instance:
         return cls(targets, horizon=horizon, **fleet)
 
     @classmethod
-    def from_frames(cls, breakpoints, windows, horizon, **fleet):
+    def from_frames(
+        cls, breakpoints: "pandas.DataFrame", windows: "pandas.DataFrame", horizon: float, **fleet: Any
+    ) -> Self:
         """Build an instance from two pandas DataFrames.
 
         breakpoints: columns target, time (s), x, y (units), a row for each bend of a path, its ends included; a target
@@ -218,7 +240,7 @@ class Instance:
         return cls(targets, horizon=horizon, **fleet)
 
     @classmethod
-    def from_dict(cls, data):
+    def from_dict(cls, data: Any) -> Self:
         """Build an instance from the JSON object; InputError names the field that is wrong."""
         check_header(data, FORMAT, VERSIONS)
         own, foreign = (_PAPERS_FIELDS, ("agents",)) if data["version"] == 1 else (("agents",), _PAPERS_FIELDS)
@@ -237,19 +259,19 @@ class Instance:
         agents = [Agents.from_dict(entry, f"agents[{k}]") for k, entry in enumerate(data["agents"])]
         return cls(targets, agents=agents, **common)
 
-    def write(self, path):
+    def write(self, path: str | os.PathLike[str]) -> None:
         """Write the instance as JSON."""
         write_json(self.to_dict(), path)
 
     @classmethod
-    def read(cls, path):
+    def read(cls, path: str | os.PathLike[str]) -> Self:
         """Read an instance file; InputError starts with the file's name."""
         return read_json(path, cls.from_dict)
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
         return isinstance(other, Instance) and self.to_dict() == other.to_dict()
 
-    def __hash__(self):
+    def __hash__(self) -> int:
         return hash(json.dumps(self.to_dict(), sort_keys=True))
 
 

@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import os
 import re
 from pathlib import Path
 
@@ -23,7 +24,7 @@ _LONGER = {25: (200.0, 6), 30: (250.0, 7), 40: (400.0, 11), 50: (500.0, 14), 64:
 _TWO_TYPES = ((2, (-25.0, 0.0), 4.0), (1, (25.0, 0.0), 6.0))
 
 
-def load(name, n_agents=None, folder=FOLDER):
+def load(name: str, n_agents: int | None = None, folder: str | os.PathLike[str] = FOLDER) -> Instance:
     """Return the instance of the library with a short name, such as "n20-i03-w40".
 
     The name says the number of targets, the number of the instance and the total window in s, after the series if it is

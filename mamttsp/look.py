@@ -1,17 +1,24 @@
 """Looking at an answer: its visits as a table to compute with, and the plan as a picture."""
 
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from .instance import Instance
-from .tours import agents_of, as_tours
+from .tours import HasTours, Tour, agents_of, as_tours
 from .validation import of_type
+
+if TYPE_CHECKING:
+    import pandas
+    from matplotlib.axes import Axes
 
 _COLUMNS = ("tour", "order", "target", "time", "x", "y", "leg_length", "waited")
 #: less than this, relative to the horizon, is a rounding error of times and no wait
 _INSTANT = 1e-9
 
 
-def visits(instance, solution):
+def visits(instance: Instance, solution: Iterable[Tour] | HasTours) -> "pandas.DataFrame":
     """Return a pandas DataFrame with a row for each visit, tour by tour in order.
 
     solution: a Solution, or tours. tour, order, target: numbers from 0, order along the tour; time: s; x, y: where, in
@@ -32,7 +39,9 @@ def visits(instance, solution):
     return pandas.DataFrame(list(_rows(instance, as_tours(solution))), columns=_COLUMNS)
 
 
-def plot(instance, solution=None, ax=None):
+def plot(
+    instance: Instance, solution: Iterable[Tour] | HasTours | None = None, ax: "Axes | None" = None
+) -> "Axes":
     """Draw an instance from above, with the tours of a solution if there is one, and return the axes.
 
     solution: a Solution, or tours. `mamttsp.figures` has more drawings, and `figures.save` to write one to a file.

@@ -10,6 +10,7 @@ from numbers import Real
 
 import numpy as np
 
+from .tours import Tour
 from .validation import InputError, brief
 
 
@@ -55,9 +56,9 @@ class Options:
     seed: int = 0
     verbose: bool = False
     progress: Callable[[Progress], None] | None = None
-    start: tuple | None = None
+    start: tuple[Tour, ...] | None = None
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if self.time_limit is not None:
             _number("time_limit", self.time_limit, 0.0, strict=True)
         _number("gap", self.gap, 0.0)
@@ -70,22 +71,22 @@ class Options:
 class Clock:
     """Counts from its creation, or from `start` (a perf_counter()); limit: s, None for none."""
 
-    def __init__(self, limit=None, start=None):
+    def __init__(self, limit: float | None = None, start: float | None = None) -> None:
         self.limit = limit
         self.start = time.perf_counter() if start is None else start
 
     @property
-    def spent(self):
+    def spent(self) -> float:
         """Seconds since the start."""
         return time.perf_counter() - self.start
 
     @property
-    def left(self):
+    def left(self) -> float | None:
         """Seconds left, at least 0; None without a limit."""
         return None if self.limit is None else max(self.limit - self.spent, 0.0)
 
     @property
-    def over(self):
+    def over(self) -> bool:
         """Whether the limit has come."""
         return self.left == 0.0
 
@@ -94,16 +95,16 @@ class Watch(Clock):
     """A Clock that Ctrl-C ends as well. As a context manager it takes Ctrl-C over, because compiled code must not be
     broken off in the middle: the run ends at its next look at `out`, with what stands."""
 
-    def __init__(self, limit=None):
+    def __init__(self, limit: float | None = None) -> None:
         super().__init__(limit)
         self._stopped = False
 
-    def out(self):
+    def out(self) -> bool:
         """Whether the run has to end."""
         return self._stopped or self.over
 
     @property
-    def seconds(self):
+    def seconds(self) -> float:
         """Seconds left, infinite without a limit."""
         return math.inf if self.left is None else self.left
 

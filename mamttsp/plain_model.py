@@ -22,8 +22,8 @@ class PaperSolution(Solution):
     ((), [0, 1, 2])
     """
 
-    paths: tuple = ()
-    cycles: tuple = ()
+    paths: tuple[tuple[int, ...], ...] = ()
+    cycles: tuple[tuple[int, ...], ...] = ()
 
 
 def paper_solution(formulation, run, options, clock):

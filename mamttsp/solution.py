@@ -3,6 +3,8 @@
 import dataclasses
 import json
 import math
+import os
+from typing import Any, Self
 
 from .jsonfile import check_header, read_json, require, write_json
 from .solution_table import html_table, table
@@ -43,7 +45,7 @@ class Solution:
     objective: float | None
     bound: float | None
     runtime: float
-    tours: tuple
+    tours: tuple[Tour, ...]
     method: str
     solver: str
     modeler: str | None = None
@@ -53,21 +55,21 @@ class Solution:
     reason: str | None = None
 
     @property
-    def gap(self):
+    def gap(self) -> float | None:
         """(objective - bound) / objective as a fraction, None if either is unknown.
 
         An optimum of 0 is known to within 1e-8 of the instance's size; this ratio may then be 1, though all is proved.
         """
         return relative_gap(self.objective, self.bound)
 
-    def __str__(self):
+    def __str__(self) -> str:
         """The table that the command line prints; targets and tours are numbered from 0."""
         return table(self)
 
-    def _repr_html_(self):
+    def _repr_html_(self) -> str:
         return html_table(self)
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Any]:
         """Return the JSON object of the file format."""
         return {
             "format": FORMAT,
@@ -88,7 +90,7 @@ class Solution:
         }
 
     @classmethod
-    def from_dict(cls, data):
+    def from_dict(cls, data: Any) -> Self:
         """Build a solution from the JSON object; InputError names the field that is wrong."""
         check_header(data, FORMAT, VERSIONS)
         require(data, "", "status", "method", "solver", "objective", "bound", "runtime_s", "tours")
@@ -115,17 +117,17 @@ class Solution:
             reason=data.get("reason"),
         )
 
-    def write(self, path):
+    def write(self, path: str | os.PathLike[str]) -> None:
         """Write the solution as JSON."""
         write_json(self.to_dict(), path)
 
     @classmethod
-    def read(cls, path):
+    def read(cls, path: str | os.PathLike[str]) -> Self:
         """Read a solution file; InputError starts with the file's name."""
         return read_json(path, cls.from_dict)
 
 
-def relative_gap(objective, bound):
+def relative_gap(objective: float | None, bound: float | None) -> float | None:
     """Return (objective - bound) / objective, 0 where both agree, None if either is unknown."""
     if objective is None or bound is None:
         return None
@@ -134,7 +136,7 @@ def relative_gap(objective, bound):
     return (objective - bound) / objective
 
 
-def known_length(value):
+def known_length(value: float | None) -> float | None:
     """Return a length or a bound on it as a float of at least 0, or None for infinity and what solvers use as such."""
     if value is None or not math.isfinite(value) or abs(value) >= 1e20:
         return None

@@ -1,13 +1,14 @@
 """The one front door: an instance and a method in, a checked Solution out."""
 
 import dataclasses
+from collections.abc import Callable, Iterable
 
 from .backends import METHODS, Options, backend, choose
 from .instance import Instance
-from .options import Clock
+from .options import Clock, Progress
 from .solution import INFEASIBLE, UNKNOWN, Solution
 from .start import begin_with, no_longer
-from .tours import check
+from .tours import HasTours, Tour, check
 from .validation import InputError, brief, of_type
 
 #: our own solver, and the paper's formulations
@@ -15,19 +16,19 @@ ALL_METHODS = ("exact", *METHODS)
 
 
 def solve(
-    instance,
-    method="exact",
-    modeler=None,
-    solver=None,
-    time_limit=None,
-    gap=1e-4,
-    threads=1,
-    seed=0,
-    verbose=False,
-    progress=None,
-    prune=False,
-    subtour_cuts=True,
-    start=None,
+    instance: Instance,
+    method: str = "exact",
+    modeler: str | None = None,
+    solver: str | None = None,
+    time_limit: float | None = None,
+    gap: float = 1e-4,
+    threads: int = 1,
+    seed: int = 0,
+    verbose: bool = False,
+    progress: Callable[[Progress], None] | None = None,
+    prune: bool = False,
+    subtour_cuts: bool = True,
+    start: Iterable[Tour] | HasTours | None = None,
 ) -> Solution:
     """Return a Solution of the instance, its tours checked.
 

@@ -5,6 +5,7 @@ import dataclasses
 import math
 from collections.abc import Iterable
 from numbers import Integral, Real
+from typing import Any, Protocol, Self
 
 import numpy as np
 
@@ -30,7 +31,7 @@ class Visit:
 
     target: int
     time: float
-    position: tuple
+    position: tuple[float, float]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -45,17 +46,17 @@ class Tour:
     True
     """
 
-    visits: tuple
+    visits: tuple[Visit, ...]
     return_time: float
     agent: int | None = None
 
-    def to_dict(self):
+    def to_dict(self) -> dict[str, Any]:
         visits = [{"target": v.target, "time": v.time, "position": list(v.position)} for v in self.visits]
         fields = {"visits": visits, "return_time": self.return_time}
         return fields if self.agent is None else {"agent": self.agent} | fields
 
     @classmethod
-    def from_dict(cls, data, where="tour"):
+    def from_dict(cls, data: Any, where: str = "tour") -> Self:
         """Build a tour from the JSON object of a solution file; InputError names the field that is wrong."""
         agent = data.get("agent") if isinstance(data, dict) else None
         if agent is not None:
@@ -67,6 +68,13 @@ class Tour:
             if isinstance(error, InputError):
                 raise
             raise InputError(f"{where}: expected visits (a list) and return_time (a number)") from None
+
+
+class HasTours(Protocol):
+    """Whatever has tours, a Solution above all."""
+
+    @property
+    def tours(self) -> tuple[Tour, ...]: ...
 
 
 def _visit_from(data, where):
@@ -86,7 +94,7 @@ def _finite(value):
     return float(value)
 
 
-def as_tours(tours, name="tours"):
+def as_tours(tours: Iterable[Tour] | HasTours, name: str = "tours") -> tuple[Tour, ...]:
     """Return the tours of a Solution, or those in a sequence of Tour, as a tuple; InputError if it is neither."""
     given = getattr(tours, "tours", tours)
     if isinstance(given, (str, bytes, dict)) or not isinstance(given, Iterable):
@@ -120,7 +128,7 @@ def _real(value):
     return isinstance(value, Real) and not isinstance(value, bool)
 
 
-def check(instance, tours, tolerance=TOLERANCE):
+def check(instance: Instance, tours: Iterable[Tour] | HasTours, tolerance: float = TOLERANCE) -> float:
     """Return the total length of the tours, or raise TourError with a line for every violation.
 
     tours: a Solution, or a sequence of Tour; InputError if it is neither, or the instance is none.

@@ -5,13 +5,15 @@ import platform
 from importlib import metadata
 from pathlib import Path
 
-_PACKAGES = ("mamttsp", "numpy", "scipy", "numba", "networkx", "pyomo", "cvxpy")
+#: of this package
+VERSION = "0.2.0"
+_PACKAGES = ("numpy", "scipy", "numba", "networkx", "pyomo", "cvxpy")
 _SOLVERS = ("clarabel", "pyscipopt", "highspy", "gurobipy", "mosek", "xpress", "coptpy")
 
 
 def versions():
     """Return a table of versions, a line each; what is not installed says so."""
-    rows = [("Python", platform.python_version())]
+    rows = [("mamttsp", VERSION), ("Python", platform.python_version())]
     rows += [(name, _version(name)) for name in _PACKAGES + _SOLVERS]
     rows += [("SCIP", _scip()), ("system", platform.platform())]
     rows += [("processor", processor()), ("cores", str(os.cpu_count()))]

@@ -4,7 +4,6 @@ import numpy as np
 
 from mamttsp import Agents, generate
 
-
 #: (targets, types, seed): twenty instances; at some the types matter, at some capacities bind, some have no solution
 FAST = [
     (2, 1, 3), (2, 1, 11), (2, 2, 0), (2, 2, 1), (2, 2, 2), (2, 2, 3), (2, 2, 4), (2, 2, 7), (3, 1, 5), (3, 1, 7),

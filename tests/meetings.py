@@ -1,7 +1,8 @@
 """Instances whose targets meet or nearly meet, where the paper's models accept cycles that nobody flies."""
 
 import numpy as np
-from examples import instance, moving, still
+
+from tests.examples import instance, moving, still
 
 MEETING = 50.0
 WINDOW = ((45.0, 55.0),)

@@ -1,9 +1,9 @@
 """The routes through open solvers from an instance to its optimum, and what each must deliver."""
 
 import pytest
-from oracle import optimum
 
 from mamttsp import check, solve
+from tests.oracle import optimum
 
 #: (method, modeler, solver)
 ROUTES = [

@@ -3,11 +3,11 @@
 import math
 
 import pytest
-from examples import instance, still
-from oracle import optimum
-from routes import assert_optimal, every_route
 
 from mamttsp import generate, solve
+from tests.examples import instance, still
+from tests.oracle import optimum
+from tests.routes import assert_optimal, every_route
 
 #: (n, total window, m, seed): twelve instances, four for each number of agents; at some of them the number matters
 FAST = [

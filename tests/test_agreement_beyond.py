@@ -4,12 +4,12 @@ import dataclasses
 import math
 
 import pytest
-from examples import agents, general, still
-from general_instances import FAST, SLOW, random_general
-from oracle import optimum
-from routes import ROUTES, assert_optimal
 
 from mamttsp import InputError, Instance, solve
+from tests.examples import agents, general, still
+from tests.general_instances import FAST, SLOW, random_general
+from tests.oracle import optimum
+from tests.routes import ROUTES, assert_optimal
 
 #: without the exact method, which has the paper's problem only
 ROUTES_BEYOND = [route for route in ROUTES if route[0] != "exact"]

@@ -2,13 +2,13 @@
 
 import numpy as np
 import pytest
-from examples import instance, still
 
 from mamttsp import FlowError, build_graph
 from mamttsp.backends import Answer, Options, Progress
 from mamttsp.cut_loop import solve_without_cycles
 from mamttsp.formulations import build_formulation
 from mamttsp.options import Clock
+from tests.examples import instance, still
 
 LINE = instance(still(10, 0), still(20, 0), still(30, 0))
 TOUR, CYCLE = ((0, 1, 2, 3, 4),), ((0, 1, 4), (2, 3, 2))

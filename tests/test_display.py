@@ -6,10 +6,10 @@ import types
 
 import IPython.display
 import pytest
-from examples import instance, still
 
 from mamttsp import Progress, solve
 from mamttsp.display import NotebookLine, ProgressLine, ProgressLog, Trace, format_progress, progress_display
+from tests.examples import instance, still
 
 STEPS = [
     Progress(0.25, None, 150.0, None, 0, "multipliers", 0),

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from examples import instance, still
 
 from mamttsp import FlowError, build_graph
 from mamttsp.flow import read_flow, shortest_unflyable, targets_of
+from tests.examples import instance, still
 
 
 def _graph(n=4, n_windows=1):

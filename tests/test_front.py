@@ -1,10 +1,10 @@
 """A wrong type anywhere at the front is an InputError of one line that names what was given."""
 
 import pytest
-from examples import instance, still
 
 import mamttsp
 from mamttsp import InputError, Instance, Solution, Target
+from tests.examples import instance, still
 
 GOOD = instance(still(10, 0))
 

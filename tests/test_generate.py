@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from oracle import optimum
 
 from mamttsp import Agents, InputError, Instance, Tour, Visit, check, generate, paper_instance
+from tests.oracle import optimum
 
 WINDOWS = (20, 40, 60)
 seeds = st.integers(0, 10_000)

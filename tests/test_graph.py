@@ -4,11 +4,11 @@ import itertools
 
 import numpy as np
 import pytest
-from examples import HORIZON, agents, general, instance, moving, still
 
 from mamttsp import InputError, Target, build_graph, generate
 from mamttsp.graph import segments
 from mamttsp.timing import earliest_times
+from tests.examples import HORIZON, agents, general, instance, moving, still
 
 BENT = Target([0.0, 40.0, 60.0, 100.0], [[0, 0], [40, 0], [40, 10], [0, 10]], [(30, 70), (80, 90)])
 

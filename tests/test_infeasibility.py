@@ -7,11 +7,11 @@ import re
 
 import numpy as np
 import pytest
-from examples import HORIZON, MAX_SPEED, instance, still
-from oracle import optimum
 
 from mamttsp import Agents, Instance, Target, solve
 from mamttsp.infeasibility import NO_SHORT_REASON, _few_followers, why_infeasible
+from tests.examples import HORIZON, MAX_SPEED, instance, still
+from tests.oracle import optimum
 
 
 def crowded(n_targets, n_agents, seed):

@@ -8,10 +8,10 @@ import sys
 
 import numpy as np
 import pytest
-from examples import agents, general, instance, moving, still
 
 from mamttsp import Agents, InputError, Instance, Target, build_graph, generate
 from mamttsp.__main__ import main
+from tests.examples import agents, general, instance, moving, still
 
 GOOD = instance(moving((1, 2), (0.5, 0), [(10, 30), (60, 80)]), still(5, 5), n_agents=2)
 

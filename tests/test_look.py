@@ -5,10 +5,10 @@ import sys
 
 import matplotlib.pyplot as plt
 import pytest
-from examples import agents, general, instance, moving, still
 
 import mamttsp
 from mamttsp import InputError, Solution, Tour, Visit
+from tests.examples import agents, general, instance, moving, still
 
 INSTANCE = instance(moving((10, 0), (0, 0.2), [(5, 15), (30, 50)]), still(0, 20, [(0, 60)]), n_agents=3)
 TOURS = (Tour((Visit(1, 6.0, (0.0, 20.0)),), 11.0), Tour((), 0.0), Tour((Visit(0, 10.0, (10.0, 2.0)),), 30.0))

@@ -6,13 +6,13 @@ import runpy
 import sys
 
 import pytest
-from examples import instance, still
-from oracle import optimum
 
 from mamttsp import Agents, Instance, Progress, Solution, Tour, Visit
 from mamttsp.__main__ import main
 from mamttsp.arguments import parser
 from mamttsp.display import ProgressLine, format_progress
+from tests.examples import instance, still
+from tests.oracle import optimum
 
 EAST, NORTH = Tour((Visit(0, 2.5, (10.0, 0.0)),), 5.0), Tour((Visit(1, 2.5, (0.0, 10.0)),), 5.0)
 

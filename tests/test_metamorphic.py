@@ -5,11 +5,11 @@ import math
 
 import numpy as np
 import pytest
-from examples import HORIZON, MAX_SPEED, instance, still
 from hypothesis import given
 from hypothesis import strategies as st
 
 from mamttsp import Instance, Target, generate, solve
+from tests.examples import HORIZON, MAX_SPEED, instance, still
 
 METHODS = ("exact", "micp")
 instances = st.builds(generate, st.integers(2, 4), st.sampled_from((20, 40)), st.integers(1, 3), st.integers(0, 10_000))

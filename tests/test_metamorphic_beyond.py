@@ -5,11 +5,11 @@ import math
 
 import numpy as np
 import pytest
-from general_instances import random_general
 from hypothesis import given
 from hypothesis import strategies as st
 
 from mamttsp import Agents, Instance, Target, solve
+from tests.general_instances import random_general
 
 instances = st.builds(random_general, st.integers(2, 4), st.integers(1, 3), st.integers(0, 10_000))
 

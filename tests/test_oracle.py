@@ -3,8 +3,9 @@
 import math
 
 import pytest
-from examples import agents, general, instance, moving, still
-from oracle import optimum, subsets
+
+from tests.examples import agents, general, instance, moving, still
+from tests.oracle import optimum, subsets
 
 
 def test_one_target_is_flown_to_and_back():

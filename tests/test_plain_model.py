@@ -3,11 +3,11 @@
 import time
 
 import pytest
-from meetings import passing
-from oracle import optimum
 
 from mamttsp import Instance, PaperSolution, TourError, check, formulations, generate, solve
 from mamttsp.backends import Answer, Progress
+from tests.meetings import passing
+from tests.oracle import optimum
 
 MODELS = [
     ("micp", "cvxpy", "highs"),

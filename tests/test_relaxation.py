@@ -5,9 +5,6 @@ import math
 
 import numpy as np
 import pytest
-from examples import instance, still
-from models import some_routes
-from oracle import optimum
 
 from mamttsp import InputError, build_graph, generate
 from mamttsp.conic_solver import minimise
@@ -15,6 +12,9 @@ from mamttsp.formulations import build_formulation
 from mamttsp.formulations.points import assign
 from mamttsp.relaxation import _magnitudes, relax, relaxation
 from mamttsp.timing import best_tours
+from tests.examples import instance, still
+from tests.models import some_routes
+from tests.oracle import optimum
 
 MODELERS = ("cvxpy", "pyomo")
 CASES = [(2, 40, 1, 0), (3, 20, 2, 3), (4, 20, 3, 3), (4, 60, 2, 1)]

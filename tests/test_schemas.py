@@ -4,7 +4,7 @@ import json
 
 import jsonschema
 import pytest
-from examples import agents, general, moving, still
+from tests.examples import agents, general, moving, still
 from test_instance import BAD
 
 from mamttsp import InputError, Instance, Solution, Tour, Visit, generate, solve

@@ -1,12 +1,12 @@
 """The front door: choices, limits, and targets that meet."""
 
 import pytest
-from examples import instance, still
-from meetings import passing, three_at_one_point, two_on_one_path
-from oracle import optimum
-from routes import assert_optimal, every_route
 
 from mamttsp import InputError, check, generate, solve
+from tests.examples import instance, still
+from tests.meetings import passing, three_at_one_point, two_on_one_path
+from tests.oracle import optimum
+from tests.routes import assert_optimal, every_route
 
 MEETINGS = {f"miss {miss:g}": passing(miss) for miss in (0, 1e-6, 1e-4, 1e-2, 0.1, 0.5)} | {
     "three at one point": three_at_one_point(),

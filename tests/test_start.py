@@ -3,7 +3,6 @@
 import dataclasses
 
 import pytest
-from examples import instance, still
 
 from mamttsp import FlowError, InputError, Solution, Tour, check, generate, solve
 from mamttsp.backends import STARTS, Options, backend
@@ -13,6 +12,7 @@ from mamttsp.formulations.residuals import residuals
 from mamttsp.graph import build_graph
 from mamttsp.start import begin_with, no_longer
 from mamttsp.timing import best_tours
+from tests.examples import instance, still
 
 ROUTES = [
     ("micp", "pyomo", "scip"), ("micp", "cvxpy", "scip"), ("baseline", "pyomo", "scip"), ("baseline", "cvxpy", "scip"),

@@ -4,11 +4,11 @@ import itertools
 
 import numpy as np
 import pytest
-from examples import instance, still
 from scipy.optimize import minimize
 
 from mamttsp import build_graph, check, generate
 from mamttsp.timing import best_times, best_tours, earliest_times, to_tour
+from tests.examples import instance, still
 
 
 def _length(graph, route, times):

@@ -3,10 +3,10 @@
 import dataclasses
 
 import pytest
-from examples import agents, general, instance, moving, still
 
 from mamttsp import InputError, Solution, Tour, TourError, Visit, check
 from mamttsp.tours import TOLERANCE
+from tests.examples import agents, general, instance, moving, still
 
 CHECKED = instance(
     moving((10, 0), (0, 1), [(5, 15), (30, 50)]),

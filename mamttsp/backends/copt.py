@@ -6,7 +6,7 @@ from coptpy import COPT
 
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN
 from .answer import licence_trouble
-from .lifted import Found, solve_lifted
+from .lifted import Found, report, solve_lifted
 
 _VERSION = f"copt {COPT.VERSION_MAJOR}.{COPT.VERSION_MINOR}"
 
@@ -35,9 +35,27 @@ def _run(program, cones, options, clock):
     model.setParam(COPT.Param.Threads, options.threads)
     if clock.left is not None:
         model.setParam(COPT.Param.TimeLimit, clock.left)
+    if options.progress:
+        watch = _Reporter(options, clock)
+        model.setCallback(watch, COPT.CBCONTEXT_MIPRELAX | COPT.CBCONTEXT_MIPSOL)
     model.solve()
     point = np.array(model.getValues()) if model.hasmipsol else None
     return Found(_status(model), point, model.bestbnd, int(model.nodecnt), _VERSION)
+
+
+class _Reporter(coptpy.CallbackBase):
+    """Reports incumbent and bound at each node, and turns a KeyboardInterrupt into an orderly stop."""
+
+    def __init__(self, options, clock):
+        super().__init__()
+        self.options, self.clock = options, clock
+
+    def callback(self):
+        best = self.getInfo(COPT.CBInfo.BestObj) if self.getInfo(COPT.CBInfo.HasIncumbent) else None
+        try:
+            report(self.options, self.clock, best, self.getInfo(COPT.CBInfo.BestBnd), None, "copt")
+        except KeyboardInterrupt:
+            self.interrupt()
 
 
 def _status(model):

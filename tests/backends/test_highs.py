@@ -5,15 +5,15 @@ import time
 import highspy
 import numpy as np
 import pytest
-from examples import instance, still
-from general_instances import random_general
-from meetings import passing
-from oracle import optimum
 
 from mamttsp import build_graph, generate, solve
 from mamttsp.backends import Options, highs
 from mamttsp.backends.cone_cuts import ConeCuts
 from mamttsp.formulations import build_formulation, graph_for
+from tests.examples import instance, still
+from tests.general_instances import random_general
+from tests.meetings import passing
+from tests.oracle import optimum
 
 
 def _formulation(problem, method="micp"):

@@ -4,10 +4,10 @@ import sys
 import types
 
 import pytest
-from examples import instance, still
 
 from mamttsp import InputError, SolverUnavailable, solve
 from mamttsp.backends import METHODS, SOLVERS, backend, choose
+from tests.examples import instance, still
 
 PACKAGES = {
     "copt": "coptpy",

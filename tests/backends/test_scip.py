@@ -4,12 +4,12 @@ import signal
 
 import pyscipopt
 import pytest
-from examples import instance, still
-from oracle import optimum
 
-from mamttsp import build_graph, generate
+from mamttsp import build_graph, generate, solve
 from mamttsp.backends import Options, scip
 from mamttsp.formulations import build_formulation
+from tests.examples import instance, still
+from tests.oracle import optimum
 
 ROUTES = [("micp", "pyomo"), ("micp", "cvxpy"), ("baseline", "pyomo"), ("baseline", "cvxpy"), ("nonconvex", "pyomo")]
 
@@ -99,8 +99,21 @@ def _interrupt():
     raise KeyboardInterrupt
 
 
-def test_a_limit_before_any_incumbent_still_gives_the_bound():
+def test_a_limit_ends_it_with_what_stands():
     problem = generate(10, 60, 3, seed=1)
     answer = scip.solve(_formulation(problem, "baseline", "cvxpy"), Options(time_limit=1.0))
-    assert answer.status in ("feasible", "unknown")
-    assert answer.bound is None or answer.bound >= 0.0
+    assert answer.status == ("unknown" if answer.flow is None else "feasible") and answer.runtime < 20.0
+    assert (answer.objective is None) == (answer.flow is None)
+    assert (answer.bound or 0.0) <= solve(problem).objective * (1 + 1e-6)
+
+
+def test_stopped_before_any_incumbent_it_still_gives_the_bound():
+    problem = generate(6, 40, 1, seed=1)
+
+    def stop(report):
+        if report.bound:
+            raise KeyboardInterrupt
+
+    answer = scip.solve(_formulation(problem, "micp", "cvxpy"), Options(progress=stop))
+    assert 0.0 < answer.bound <= solve(problem).objective * (1 + 1e-6)
+    assert answer.status == ("unknown" if answer.flow is None else "feasible")

@@ -4,7 +4,6 @@ import itertools
 
 import numpy as np
 import pytest
-from examples import instance, still
 
 from mamttsp import build_graph, generate
 from mamttsp.branch_and_bound.branching import branch
@@ -15,6 +14,7 @@ from mamttsp.branch_and_bound.separation import depot_cuts, violated_sets
 from mamttsp.flow import read_flow
 from mamttsp.formulations import build_formulation
 from mamttsp.timing import best_times, earliest_times
+from tests.examples import instance, still
 
 INSTANCES = [generate(3, 60, 2, seed=3), generate(4, 40, 1, seed=2), generate(4, 20, 2, seed=5)]
 

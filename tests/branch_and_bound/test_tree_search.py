@@ -3,11 +3,8 @@
 import dataclasses
 import time
 
-import meetings
 import numpy as np
 import pytest
-from examples import instance, still
-from oracle import optimum
 
 from mamttsp import InputError, build_graph, check, generate
 from mamttsp.backends import Options, clarabel
@@ -15,6 +12,9 @@ from mamttsp.branch_and_bound.tree_search import TreeSearch
 from mamttsp.flow import read_flow
 from mamttsp.formulations import build_formulation
 from mamttsp.timing import best_tours
+from tests import meetings
+from tests.examples import instance, still
+from tests.oracle import optimum
 
 EXACT = Options(gap=1e-6)
 #: some of these are better off with two agents, some need many nodes

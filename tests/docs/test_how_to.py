@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from docs.conftest import ROOT
+from tests.docs.conftest import ROOT
 
 PAGES = ("index.md", "how-to/own-data.md", "how-to/methods.md", "how-to/citing.md")
 

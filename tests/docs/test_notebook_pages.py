@@ -2,7 +2,7 @@
 
 import importlib.util
 
-from docs.conftest import ROOT
+from tests.docs.conftest import ROOT
 
 _spec = importlib.util.spec_from_file_location("notebook_pages", ROOT / "docs" / "notebook_pages.py")
 pages = importlib.util.module_from_spec(_spec)

@@ -10,9 +10,9 @@ from bs4 import BeautifulSoup
 from PIL import Image
 
 import mamttsp
-from docs.conftest import ROOT
 from mamttsp.formulations import build_formulation
 from mamttsp.study.course import notebooks
+from tests.docs.conftest import ROOT
 
 LOADED = "img[src], script[src], iframe[src], source[src], video[src], audio[src], link[href]"
 FIRST = Path("index.html")

@@ -1,8 +1,9 @@
 """The benchmark's tables: counts and times of certified runs, and ratios that count each run for what it proves."""
 
-import certification as benchmark
 import pandas as pd
 import pytest
+
+from benchmarks import certification as benchmark
 
 
 def _rows(*rows):

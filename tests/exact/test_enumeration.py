@@ -3,12 +3,12 @@
 import math
 
 import pytest
-from exact.enumeration import optimum as faster
-from examples import instance, still
-from meetings import passing, three_at_one_point, two_on_one_path
-from oracle import optimum
 
 from mamttsp import generate
+from tests.exact.enumeration import optimum as faster
+from tests.examples import instance, still
+from tests.meetings import passing, three_at_one_point, two_on_one_path
+from tests.oracle import optimum
 
 INSTANCES = {f"n {n} w {w} m {m}": generate(n, w, m, 11) for n in (1, 3, 4) for w in (20, 60) for m in (1, 2)} | {
     "passing": passing(0.0),

@@ -3,11 +3,11 @@
 import math
 
 import pytest
-from exact.certificates import assert_certified
-from exact.enumeration import optimum
-from examples import MAX_SPEED, instance, moving, still
 
 from mamttsp import Instance, Target, generate, solve
+from tests.exact.certificates import assert_certified
+from tests.exact.enumeration import optimum
+from tests.examples import MAX_SPEED, instance, moving, still
 
 
 def within(horizon, *targets):

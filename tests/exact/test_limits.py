@@ -1,10 +1,10 @@
 """Stopped by a time limit or Ctrl-C, the exact solver returns checked tours and a bound that holds."""
 
 import pytest
-from exact.certificates import assert_brackets, assert_sound
-from exact.enumeration import optimum
 
 from mamttsp import generate, paper_instance, solve
+from tests.exact.certificates import assert_brackets, assert_sound
+from tests.exact.enumeration import optimum
 
 LIMITS = (0.1, 0.5, 2.0)
 SPREAD = [(10, 60, 3), (15, 40, 2), (15, 60, 1), (20, 20, 5), (20, 40, 1), (20, 60, 2)]

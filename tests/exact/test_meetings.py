@@ -4,9 +4,10 @@ import math
 
 import numpy as np
 import pytest
-from exact.certificates import assert_certified
-from exact.enumeration import optimum
-from examples import HORIZON, instance, moving, still
+
+from tests.exact.certificates import assert_certified
+from tests.exact.enumeration import optimum
+from tests.examples import HORIZON, instance, moving, still
 
 AROUND = ((40.0, 60.0),)
 #: what passes (20, 0) at t = 50 at right angles to the way from the depot is nowhere nearer to it

@@ -1,10 +1,10 @@
 """The exact solver finds and proves what enumeration finds, and agrees with the paper's MICP."""
 
 import pytest
-from exact.certificates import assert_brackets, assert_certified
-from exact.enumeration import optimum
 
 from mamttsp import generate, solve
+from tests.exact.certificates import assert_brackets, assert_certified
+from tests.exact.enumeration import optimum
 
 SMALL = [(n, w, m, seed) for n, seed in ((5, 20), (6, 21), (7, 22), (7, 23)) for w in (20, 40, 60) for m in (1, 2, 3)]
 TIGHT = [(5, 40, 2, 1), (6, 60, 1, 2), (7, 20, 3, 3), (8, 40, 1, 4), (9, 40, 2, 5)]

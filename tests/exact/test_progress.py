@@ -3,9 +3,9 @@
 import math
 
 import pytest
-from examples import instance, still
 
 from mamttsp import Progress, generate, paper_instance, solve
+from tests.examples import instance, still
 
 #: (n, total window, m, time limit)
 RUNS = [(5, 40, 2, None), (10, 60, 1, None), (15, 40, 3, None), (20, 60, 2, 2.0)]

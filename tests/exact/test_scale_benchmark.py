@@ -2,8 +2,8 @@
 
 import pandas as pd
 import pytest
-import scale as benchmark
 
+from benchmarks import scale as benchmark
 from mamttsp.options import Progress
 
 

@@ -1,10 +1,10 @@
 """Millimetres, thousands of kilometres, milliseconds and weeks; far from the origin and long after all windows."""
 
 import pytest
-from exact.certificates import assert_certified
-from exact.enumeration import optimum
 
 from mamttsp import Instance, Target, generate
+from tests.exact.certificates import assert_certified
+from tests.exact.enumeration import optimum
 
 
 def scaled(problem, space, time):

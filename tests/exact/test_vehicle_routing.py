@@ -3,11 +3,11 @@
 import math
 
 import pytest
-from exact.certificates import assert_sound
-from exact.enumeration import optimum
-from exact.vehicle_routing import customers, pyvrp_length
 
 from mamttsp import solve
+from tests.exact.certificates import assert_sound
+from tests.exact.enumeration import optimum
+from tests.exact.vehicle_routing import customers, pyvrp_length
 
 #: (customers, agents, length of the windows in s, seed)
 FAST = [(15, 2, 30, 3), (20, 3, 40, 1), (25, 4, 20, 1)]

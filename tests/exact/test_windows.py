@@ -4,11 +4,11 @@ import math
 
 import numpy as np
 import pytest
-from exact.certificates import assert_brackets, assert_certified
-from exact.enumeration import optimum
-from examples import instance, moving, still
 
 from mamttsp import InputError, solve
+from tests.exact.certificates import assert_brackets, assert_certified
+from tests.exact.enumeration import optimum
+from tests.examples import instance, moving, still
 
 AROUND = ((40.0, 60.0),)
 

@@ -2,10 +2,9 @@
 
 from dataclasses import asdict
 
-from experiments.made_up_rows import write_rows
-
 from mamttsp.experiments import Run
 from mamttsp.experiments.summaries.row_statistics import read_table
+from tests.experiments.made_up_rows import write_rows
 
 
 def route(n, index, total_window, agents, method, solver=None, time_limit=60.0):

@@ -6,12 +6,12 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import pytest
-from experiments.made_up_rows import EXACT, solved, stopped, write_rows
 
 from mamttsp import paper_instance, solve
 from mamttsp.__main__ import main
 from mamttsp.experiments import build_figures as building
 from mamttsp.experiments import profile
+from tests.experiments.made_up_rows import EXACT, solved, stopped, write_rows
 
 PUBLISHED = Path(__file__).parents[2] / "paper_results" / "published.csv"
 NAMES = ["paper-fig-2-published", "paper-fig-3-published", "paper-fig-1", "paper-fig-2-ours", "paper-fig-3-ours"]

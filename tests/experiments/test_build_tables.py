@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pandas as pd
 import pytest
-from experiments.synthetic import route, table
 
 from mamttsp.__main__ import main
 from mamttsp.experiments.claims.claim_table import COLUMNS as CLAIMS
 from mamttsp.experiments.summaries.best_known import COLUMNS as BEST_KNOWN
+from tests.experiments.synthetic import route, table
 
 _RESULTS = Path(__file__).parents[2] / "paper_results"
 

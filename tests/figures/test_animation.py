@@ -7,11 +7,11 @@ import shutil
 
 import matplotlib.pyplot as plt
 import pytest
-from examples import instance, moving, still
 from PIL import Image
 
 from mamttsp import InputError, Solution, Tour, Visit
 from mamttsp.figures import COLOURS, film, moment_view
+from tests.examples import instance, moving, still
 
 INSTANCE = instance(moving((10, 0), (0, 0.2), [(5, 15), (30, 50)]), still(0, 20, [(0, 60)]), n_agents=2)
 TOURS = [Tour((Visit(0, 10.0, (10.0, 2.0)), Visit(1, 20.0, (0.0, 20.0))), 30.0)]

@@ -3,7 +3,6 @@
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
-from examples import agents, general, instance, moving, still
 from matplotlib.colors import to_hex
 
 from mamttsp import InputError, Solution, Tour, Visit, build_graph
@@ -21,6 +20,7 @@ from mamttsp.figures import (
     sizes_view,
     space_time_view,
 )
+from tests.examples import agents, general, instance, moving, still
 
 INSTANCE = instance(moving((10, 0), (0, 0.2), [(5, 15), (30, 50)]), still(0, 20, [(0, 60)]), n_agents=3)
 TOURS = [Tour((Visit(0, 10.0, (10.0, 2.0)), Visit(1, 20.0, (0.0, 20.0))), 30.0)]

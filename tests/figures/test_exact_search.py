@@ -3,7 +3,6 @@
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
-from examples import instance, moving, still
 from matplotlib.colors import to_hex
 
 from mamttsp import Progress, Visit, build_graph
@@ -19,6 +18,7 @@ from mamttsp.figures import (
     tilt_view,
     trace_view,
 )
+from tests.examples import instance, moving, still
 
 INSTANCE = instance(moving((10, 0), (0, 0.5), [(10, 30)]), still(0, 20, [(0, 60)]))
 STEPS = [

@@ -4,9 +4,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 import pytest
-from examples import instance, moving
 
 from mamttsp.figures import flow_view, growth_view, relaxation_view
+from tests.examples import instance, moving
 
 ROWS = pd.DataFrame(
     [(5, 20, 1, "micp", 0.9), (5, 20, 1, "micp", 0.7), (10, 20, 1, "micp", 0.6), (5, 40, 2, "micp", 0.5)]

@@ -6,10 +6,6 @@ import itertools
 import numpy as np
 import pyomo.environ as pyo
 import pytest
-from examples import agents, general, moving, still
-from general_instances import random_general
-from models import MODELS
-from oracle import optimum
 
 from mamttsp import InputError, Instance, build_graph, check, generate, solve
 from mamttsp.flow import read_flow
@@ -19,6 +15,10 @@ from mamttsp.formulations.points import assign, recover
 from mamttsp.formulations.residuals import objective, residuals
 from mamttsp.formulations.statistics import closed_form
 from mamttsp.study.meetings import passing
+from tests.examples import agents, general, moving, still
+from tests.general_instances import random_general
+from tests.models import MODELS
+from tests.oracle import optimum
 
 TOLERANCE = 1e-6
 UNLIKE = random_general(3, 2, 5)  # capacities bind, ends differ from depots

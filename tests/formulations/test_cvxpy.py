@@ -3,16 +3,16 @@
 import dataclasses
 
 import cvxpy as cp
-import examples
 import numpy as np
 import pytest
-from meetings import passing
-from oracle import optimum
 
 from mamttsp import InputError, build_graph, generate
 from mamttsp.formulations import build_formulation
 from mamttsp.formulations.cvxpy import Baseline, Micp
 from mamttsp.formulations.equations import EQUATIONS
+from tests import examples
+from tests.meetings import passing
+from tests.oracle import optimum
 
 PROGRAMS = {"micp": Micp, "baseline": Baseline}
 

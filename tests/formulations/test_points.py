@@ -1,8 +1,6 @@
 """Tours carried into each formulation: feasible there, and of the same length; and out of it what was put in."""
 
 import pytest
-from models import MODELS, some_routes
-from oracle import optimum
 
 from mamttsp import InputError, Tour, Visit, build_graph, check, generate
 from mamttsp.backends.scip import solve
@@ -14,6 +12,8 @@ from mamttsp.formulations.residuals import objective, residuals
 from mamttsp.options import Options
 from mamttsp.study.meetings import passing
 from mamttsp.timing import best_tours
+from tests.models import MODELS, some_routes
+from tests.oracle import optimum
 
 TOLERANCE = 1e-6
 

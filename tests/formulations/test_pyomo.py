@@ -2,17 +2,17 @@
 
 import dataclasses
 
-import examples
 import numpy as np
 import pyomo.environ as pyo
 import pytest
-from models import MODELS
 
 from mamttsp import InputError, build_graph, generate
 from mamttsp.backends.scip import solve
 from mamttsp.formulations import build_formulation
 from mamttsp.formulations.equations import EQUATIONS
 from mamttsp.options import Options
+from tests import examples
+from tests.models import MODELS
 
 OBJECTIVES = {"baseline": 1, "nonconvex": 11, "micp": 17}
 

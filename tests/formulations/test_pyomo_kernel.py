@@ -4,12 +4,12 @@ import pyomo.environ as pyo
 import pyomo.kernel as pmo
 import pyscipopt
 import pytest
-from oracle import optimum
 
 from mamttsp import InputError, build_graph, generate
 from mamttsp.backends.scip_models import ipopt_options
 from mamttsp.formulations import build_formulation
 from mamttsp.formulations.pyomo.kernel import to_kernel
+from tests.oracle import optimum
 
 CONVEX = ("baseline", "micp")
 

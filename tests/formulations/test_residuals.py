@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from models import MODELERS, MODELS, some_routes
 
 from mamttsp import build_graph, generate
 from mamttsp.formulations import build_formulation
@@ -10,6 +9,7 @@ from mamttsp.formulations.equations import EQUATIONS
 from mamttsp.formulations.points import assign, segment_of
 from mamttsp.formulations.residuals import residuals
 from mamttsp.timing import best_tours
+from tests.models import MODELERS, MODELS, some_routes
 
 TOLERANCE = 1e-6
 

@@ -1,11 +1,11 @@
 """The counted size of each model is the closed form in n, m, |V| and |E|."""
 
 import pytest
-from models import MODELS
 
 from mamttsp import build_graph, generate
 from mamttsp.formulations import build_formulation
 from mamttsp.formulations.statistics import Statistics, closed_form
+from tests.models import MODELS
 
 GRAPHS = [(2, 10, 1, False), (4, 20, 1, False), (4, 20, 3, True), (6, 40, 2, True), (6, 60, 2, False)]
 

@@ -2,7 +2,8 @@
 
 import nbformat
 import pytest
-from notebooks.running import CHECKED, LIMITS, ROOT, execute_whole, lay_out, run
+
+from tests.notebooks.running import CHECKED, LIMITS, ROOT, execute_whole, lay_out, run
 
 
 @pytest.fixture

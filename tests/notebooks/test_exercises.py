@@ -8,10 +8,10 @@ from pathlib import Path
 
 import nbformat
 import pytest
-from notebooks.running import CHECKED, ROOT, assert_executed, execute_whole, lay_out, run
-from notebooks.wrong_answers import WRONG
 
 from mamttsp.study.course import notebooks
+from tests.notebooks.running import CHECKED, ROOT, assert_executed, execute_whole, lay_out, run
+from tests.notebooks.wrong_answers import WRONG
 
 FOLDER = ROOT / "notebooks" / "exercises"
 SHEETS = notebooks(FOLDER)

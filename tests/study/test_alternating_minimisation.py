@@ -4,11 +4,11 @@ import itertools
 
 import numpy as np
 import pytest
-from examples import instance, still
 
 from mamttsp import build_graph, check, generate, solve
 from mamttsp.study.alternating_minimisation import alternate, best_route, flyable_routes
 from mamttsp.timing import best_tours
+from tests.examples import instance, still
 
 INSTANCE = generate(3, 40, seed=2)
 GRAPH = build_graph(INSTANCE)

@@ -4,12 +4,12 @@ import itertools
 
 import numpy as np
 import pytest
-from examples import instance, moving, still
 
 from mamttsp import build_graph, generate
 from mamttsp.formulations import build_formulation
 from mamttsp.formulations.residuals import objective, residuals
 from mamttsp.study.average_of_orders import assign_average, average_of_orders
+from tests.examples import instance, moving, still
 
 
 def test_it_is_the_average_of_all_orders_and_segments():

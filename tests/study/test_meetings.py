@@ -2,12 +2,12 @@
 
 import numpy as np
 import pytest
-from examples import instance, moving, still
-from meetings import MEETING, PLACE, three_at_one_point, through, two_on_one_path
-from oracle import optimum
 
 from mamttsp import Target, generate
 from mamttsp.study.meetings import encounters, meeting_groups, passing, subsets_that_meet
+from tests.examples import instance, moving, still
+from tests.meetings import MEETING, PLACE, three_at_one_point, through, two_on_one_path
+from tests.oracle import optimum
 
 
 @pytest.mark.parametrize("seed", range(3))

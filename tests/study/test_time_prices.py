@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from examples import instance, still
 
 from mamttsp import build_graph, generate, solve
 from mamttsp.study.time_prices import pinned_lengths, relaxed_times, time_prices
 from mamttsp.timing import best_times
+from tests.examples import instance, still
 
 
 @pytest.fixture(scope="module", params=[(4, 40, 1), (5, 60, 6), (5, 40, 33)])

@@ -1,7 +1,6 @@
 """What a solver's tolerance lets through, where two targets pass each other 0.05 units apart."""
 
 import pytest
-from oracle import optimum
 
 from mamttsp import build_graph
 from mamttsp.formulations import build_formulation
@@ -9,6 +8,7 @@ from mamttsp.formulations.points import recover
 from mamttsp.formulations.residuals import residuals
 from mamttsp.study.meetings import passing
 from mamttsp.study.tolerance import solve_with_tolerance
+from tests.oracle import optimum
 
 NEAR = passing(0.05)
 

@@ -4,18 +4,17 @@ import datetime
 import os
 import platform
 import subprocess
-from importlib import metadata
 from pathlib import Path
 
 import psutil
 
-from ...versions import processor
+from ...versions import VERSION, processor
 
 
 def provenance(jobs):
     """Return the columns that all rows of a campaign share; jobs: how many runs share the machine at a time."""
     return {
-        "version": metadata.version("mamttsp"),
+        "version": VERSION,
         "commit": _commit(),
         "jobs": jobs,
         "cpu": processor(),

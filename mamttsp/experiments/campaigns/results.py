@@ -1,10 +1,14 @@
 """A results file: several campaigns can share it, and a kill at any moment leaves its rows whole."""
 
 import contextlib
-import fcntl  # locks of Unix: campaigns run on Linux and macOS
 import hashlib
 import os
 import threading
+
+try:
+    import fcntl
+except ImportError:  # its locks are of Unix: campaigns run on Linux and macOS, all else everywhere
+    fcntl = None
 
 from ...validation import InputError
 from .rows import COLUMNS, key_of, line_of, parse, text_of
@@ -17,6 +21,8 @@ class Results:
     """A results file open for appending; a context manager. Its locks go with the process, however it ends."""
 
     def __init__(self, path):
+        if fcntl is None:
+            raise InputError("campaign: campaigns run on Linux and macOS only, for the locks that their files need")
         self.path = path
         self._mutex = threading.RLock()  # the file's lock excludes other processes, not this one's threads
         try:

@@ -15,7 +15,7 @@ def standard_form(model):
     if set(dims.soc) != {3}:
         raise ValueError(f"cones in the plane are expected, three rows each, found {sorted(set(dims.soc))}")
     binary, whole = (np.isin(np.arange(size), list(data[key])) for key in ("bool_vars_idx", "int_vars_idx"))
-    lower, upper = (data[key] for key in ("lower_bounds", "upper_bounds"))
+    lower, upper = (data.get(key) for key in ("lower_bounds", "upper_bounds"))
     lower = np.full(size, -np.inf) if lower is None else np.array(lower, dtype=float)
     upper = np.full(size, np.inf) if upper is None else np.array(upper, dtype=float)
 

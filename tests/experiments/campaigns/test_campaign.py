@@ -8,7 +8,14 @@ import sys
 
 import psutil
 import pytest
-from experiments.fakes import (
+
+from mamttsp import InputError, check, paper_instance
+from mamttsp.__main__ import main
+from mamttsp.experiments import Run, campaign, profile, read_rows, tours_of
+from mamttsp.experiments.campaigns import process, runs
+from mamttsp.experiments.campaigns.rows import PROVENANCE
+from mamttsp.experiments.campaigns.worker import measure
+from tests.experiments.fakes import (
     FAKE_WORKER,
     children,
     fake_run,
@@ -18,13 +25,6 @@ from experiments.fakes import (
     wait_for_rows,
     wait_until,
 )
-
-from mamttsp import InputError, check, paper_instance
-from mamttsp.__main__ import main
-from mamttsp.experiments import Run, campaign, profile, read_rows, tours_of
-from mamttsp.experiments.campaigns import process, runs
-from mamttsp.experiments.campaigns.rows import PROVENANCE
-from mamttsp.experiments.campaigns.worker import measure
 
 CLARABEL = Run(5, 0, 20, 1, "micp", "cvxpy", "clarabel", 30)
 

@@ -11,7 +11,13 @@ import dask
 import distributed
 import psutil
 import pytest
-from experiments.fakes import (
+
+from mamttsp import InputError, check, paper_instance
+from mamttsp.__main__ import main
+from mamttsp.experiments import campaign, read_rows, tours_of
+from mamttsp.experiments.campaigns import runs
+from mamttsp.experiments.campaigns.rows import PROVENANCE
+from tests.experiments.fakes import (
     FAKE_WORKER,
     children,
     fake_run,
@@ -21,12 +27,6 @@ from experiments.fakes import (
     wait_for_rows,
     wait_until,
 )
-
-from mamttsp import InputError, check, paper_instance
-from mamttsp.__main__ import main
-from mamttsp.experiments import campaign, read_rows, tours_of
-from mamttsp.experiments.campaigns import runs
-from mamttsp.experiments.campaigns.rows import PROVENANCE
 
 
 @pytest.fixture(scope="module")

@@ -4,7 +4,6 @@ from pathlib import Path
 
 import pandas as pd
 import pytest
-from experiments.fakes import indices
 
 from mamttsp import paper_instance
 from mamttsp.experiments import read_rows
@@ -13,6 +12,7 @@ from mamttsp.experiments.campaigns.rows import INSTANCE
 from mamttsp.experiments.campaigns.runs import SETTINGS
 from mamttsp.experiments.summaries.row_statistics import bound_over_optimum
 from mamttsp.relaxation import CONIC_METHODS, relax
+from tests.experiments.fakes import indices
 
 COMMITTED = Path(__file__).parents[3] / "paper_results" / "relaxations.csv"
 

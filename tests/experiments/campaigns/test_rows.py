@@ -4,12 +4,12 @@ import json
 from dataclasses import asdict
 
 import pytest
-from experiments.fakes import fake_run, indices, largest_file
 
 from mamttsp import InputError, check, paper_instance, solve
 from mamttsp.experiments import read_rows, tours_of
 from mamttsp.experiments.campaigns.results import Results
 from mamttsp.experiments.campaigns.rows import COLUMNS
+from tests.experiments.fakes import fake_run, indices, largest_file
 
 
 def _row(index, **fields):

@@ -4,7 +4,6 @@ from pathlib import Path
 
 import pandas as pd
 import pytest
-from experiments.synthetic import route, table
 
 from mamttsp.experiments.campaigns.runs import SETTINGS
 from mamttsp.experiments.claims.bars import published_bars
@@ -14,6 +13,7 @@ from mamttsp.experiments.claims.paper_claims import CLAIMS
 from mamttsp.experiments.claims.verdicts import DIFFERS, DIRECTION, HOLDS, OPEN, Part, judge, judge_best
 from mamttsp.experiments.summaries.published import read_published
 from mamttsp.generate import PAPER_SIZES
+from tests.experiments.synthetic import route, table
 
 _PUBLISHED = read_published(Path(__file__).parents[3] / "paper_results" / "published.csv")
 _METHODS = ("micp", "baseline")

@@ -4,11 +4,11 @@ import json
 
 import pandas as pd
 import pytest
-from experiments.synthetic import route, table
 
 from mamttsp import InputError, TourError, paper_instance, solve
 from mamttsp.experiments import tours_of
 from mamttsp.experiments.summaries.best_known import COLUMNS, best_known, verify
+from tests.experiments.synthetic import route, table
 
 _EXACT, _MICP, _BASELINE = (
     route(5, 0, 20, 1, *method) for method in (("exact",), ("micp", "scip"), ("baseline", "scip"))

@@ -5,7 +5,6 @@ import math
 import numpy as np
 import pandas as pd
 import pytest
-from experiments.made_up_rows import EXACT, crashed, solved, stopped, write_rows
 
 from mamttsp.experiments import Run
 from mamttsp.experiments.summaries.row_statistics import (
@@ -16,6 +15,7 @@ from mamttsp.experiments.summaries.row_statistics import (
     side_by_side,
     true_gaps,
 )
+from tests.experiments.made_up_rows import EXACT, crashed, solved, stopped, write_rows
 
 RUNS = [Run(5, index, 40, 1, "micp", "pyomo", "scip", 60) for index in (0, 1)]
 
