@@ -1,4 +1,5 @@
-"""The tables that are made of rows: best_known.csv and claims.csv, in the folder of the rows."""
+"""The tables that are made of rows: best_known.csv and claims.csv, in the folder of the rows; and what is best known of
+the library's instances, in a folder beside them."""
 
 from pathlib import Path
 
@@ -9,6 +10,7 @@ from .campaigns.rows import line_of, text_of
 from .campaigns.runs import profile
 from .claims.claim_table import claim_table
 from .summaries.best_known import best_known
+from .summaries.best_solutions import of_rows, update
 from .summaries.published import read_published
 from .summaries.row_statistics import of_runs, read_table
 
@@ -16,13 +18,16 @@ from .summaries.row_statistics import of_runs, read_table
 def build_tables(folder):
     """Write both tables into `folder`, from its published.csv, exact.csv and reduced.csv, and yield their paths.
 
-    InputError: a file is missing or has other columns, rows contradict each other, or a table cannot be written.
+    Where there is a folder `instances`, what the rows know better is taken into its own best_known.csv. InputError: a file is missing or has other columns, rows contradict each other, or a table cannot be written.
     """
     folder = Path(folder)
     exact, reduced = read_table(folder / "exact.csv"), read_table(folder / "reduced.csv")
-    yield _write(best_known(pd.concat([exact, reduced], ignore_index=True)), folder / "best_known.csv")
+    best = best_known(pd.concat([exact, reduced], ignore_index=True))
+    yield _write(best, folder / "best_known.csv")
     published, runs = read_published(folder / "published.csv"), profile("reduced")
     yield _write(claim_table(published, of_runs(reduced, runs), exact), folder / "claims.csv")
+    if (folder / "instances").is_dir():
+        yield update(folder / "instances", of_rows(best))
 
 
 def _write(table, path):

@@ -10,6 +10,7 @@ from ..solution import FEASIBLE, OPTIMAL
 from ..tours import TourError, check
 from ..validation import InputError, counted
 from .campaigns.rows import INSTANCE, tours_of
+from .summaries.best_solutions import TABLE, line_faults
 
 #: relative difference that counts as equal: of a length that the row and the checker say
 _EQUAL = 1e-6
@@ -23,19 +24,23 @@ def verify(folder):
 
     what: the file, and how much of it was looked at, in a few words; faults: a list of lines, each with the file and
     the place in it. A file with tours is a CSV with the columns n, index, total_window, agents and tours; a manifest is
-    `manifest.json`, whose "files" are an object of names, beside it or below, and their sha256 sums. InputError: there
+    `manifest.json`, whose "files" are an object of names, beside it or below, and their sha256 sums. Beside the
+    manifest of a library of instances its best_known.csv is held against the tours' files. InputError: there
     is no such folder, or nothing in it to verify.
     """
     if not Path(folder).is_dir():
         raise InputError(f"{folder}: there is no such folder")
     tables = [path for path in sorted(Path(folder).rglob("*.csv")) if _has_tours(path)]
     manifests = sorted(Path(folder).rglob(_MANIFEST))
+    libraries = [path for path in (manifest.parent / TABLE for manifest in manifests) if path.is_file()]
     if not tables and not manifests:
         raise InputError(f"{folder}: holds no table with tours and no {_MANIFEST}")
     for path in tables:
         yield _verify_table(path)
     for path in manifests:
         yield _verify_sums(path)
+    for path in libraries:
+        yield _verify_library(path)
 
 
 def sha256(path):
@@ -78,6 +83,17 @@ def _row_faults(row, instances):
     if row.get("bound") and not float(row["bound"]) <= length * (1 + _ABOVE):
         faults.append(f"bound {row['bound']} is above the tours' length {length:.9f}")
     return faults, True
+
+
+def _verify_library(path):
+    with path.open(newline="", encoding="utf-8") as file:
+        lines = list(csv.DictReader(file))
+    faults = [
+        f"{path}, line {number}: {fault}"
+        for number, line in enumerate(lines, start=2)
+        for fault in line_faults(path.parent, line)
+    ]
+    return f"{path}: tours of {counted(len(lines), 'line')}", faults
 
 
 def _verify_sums(path):

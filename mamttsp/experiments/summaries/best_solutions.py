@@ -1,0 +1,134 @@
+"""The best that is known of each instance of the library: a table, a solution file for each line, and what improved.
+
+Unlike best_known.csv of a campaign, which is what its rows say, this grows: a line changes only for the better, and
+each change of a value is a line of changes.csv.
+"""
+
+import csv
+import dataclasses
+import math
+from pathlib import Path
+
+from ...library import load
+from ...solution import FEASIBLE, OPTIMAL, UNKNOWN, Solution, relative_gap
+from ...tours import TourError, check
+from ...validation import InputError
+from ..campaigns.rows import line_of, text_of, tours_of
+
+TABLE, CHANGES, SOLUTIONS = "best_known.csv", "changes.csv", "best"
+COLUMNS = ("name", "agents", "status", "objective", "bound", "gap_percent", "objective_by", "bound_by", "solution")
+CHANGE_COLUMNS = ("name", "agents", "what", "before", "after", "by")
+#: relative differences that count: an improvement, a bound above a length, a gap that is closed
+_BETTER, _ABOVE, _CLOSED = 1e-7, 1e-4, 1e-4
+
+
+@dataclasses.dataclass(frozen=True)
+class Finding:
+    """What someone found of an instance of the library: tours, () for none, and a lower bound in units or None.
+
+    agents: the number, which for types of agents is that of the instance; tours_by, bound_by: who.
+    """
+
+    name: str
+    agents: int
+    tours: tuple
+    bound: float | None
+    tours_by: str
+    bound_by: str
+
+
+def of_rows(best):
+    """Yield what a campaign's best_known table, a DataFrame, says of the paper's instances."""
+    for _, line in best.iterrows():
+        bound = None if math.isnan(line["bound"]) else float(line["bound"])
+        name = f"n{int(line['n']):02}-i{int(line['index']):02}-w{int(line['total_window'])}"
+        yield Finding(name, int(line["agents"]), tours_of(line), bound, str(line["objective_by"]), str(line["bound_by"]))
+
+
+def update(folder, found):
+    """Take what is found into the table, the solution files and the changes in `folder`; return the table's path.
+
+    Objectives are the checker's. TourError: tours that are no solution; InputError: a bound above the known length.
+    """
+    folder = Path(folder)
+    lines = {(line["name"], int(line["agents"])): line for line in _read(folder / TABLE)}
+    changes = _read(folder / CHANGES)
+    (folder / SOLUTIONS).mkdir(exist_ok=True)
+    for one in found:
+        key = one.name, one.agents
+        line = lines.get(key) or dict.fromkeys(COLUMNS, "") | {"name": one.name, "agents": one.agents}
+        lines[key] = _improved(folder, line, one, changes)
+    _write(folder / TABLE, COLUMNS, [lines[key] for key in sorted(lines)])
+    _write(folder / CHANGES, CHANGE_COLUMNS, changes)
+    return folder / TABLE
+
+
+def line_faults(folder, line):
+    """Return what is wrong with a line of the table, as a list of texts: its tours, their length, the bound above it."""
+    try:
+        instance = _instance(folder, line["name"], int(line["agents"]))
+        tours = Solution.read(Path(folder) / line["solution"]).tours if line["solution"] else ()
+        if not tours:
+            return ["claims a length and has no tours"] if line["objective"] else []
+        length, objective = check(instance, tours), float(line["objective"])
+        bound = float(line["bound"]) if line["bound"] else 0.0
+    except (InputError, TourError, ValueError) as error:
+        return str(error).splitlines()
+    faults = []
+    if abs(objective - length) > 1e-9 * length:
+        faults.append(f"objective {objective}, but the tours' length is {length:.9f}")
+    if bound > length * (1 + _ABOVE):
+        faults.append(f"bound {bound} is above the tours' length {length:.9f}")
+    return faults
+
+
+def _improved(folder, line, one, changes):
+    """Return the line with what is better in `one`, its solution file written; note each value that changes."""
+    new, tours = dict(line), None
+    length, bound = (float(line[what]) if line[what] != "" else None for what in ("objective", "bound"))
+    if one.tours:
+        found = check(_instance(folder, one.name, one.agents), one.tours)
+        if length is None or found < length * (1 - _BETTER):
+            _note(changes, line, "objective", length, found, one.tours_by)
+            new |= {"objective": found, "objective_by": one.tours_by}
+            new["solution"] = f"{SOLUTIONS}/{one.name}-m{one.agents}.json"
+            length, tours = found, one.tours
+    if one.bound is not None and (bound is None or one.bound > bound * (1 + _BETTER)):
+        _note(changes, line, "bound", bound, one.bound, one.bound_by)
+        new |= {"bound": one.bound, "bound_by": one.bound_by}
+        bound = one.bound
+    if None not in (length, bound) and bound > length * (1 + _ABOVE):
+        who = f"{new['bound_by']} against {new['objective_by']}"
+        raise InputError(f"{one.name}, {one.agents} agents: the bound {bound} is above the length {length} ({who})")
+    gap = relative_gap(length, bound)
+    new["gap_percent"] = "" if gap is None else 100 * gap
+    new["status"] = UNKNOWN if length is None else OPTIMAL if gap is not None and gap <= _CLOSED else FEASIBLE
+    if new != line and new["solution"]:
+        tours = tours or Solution.read(folder / new["solution"]).tours
+        best = Solution(new["status"], length, bound, 0.0, tours, "best known", new["objective_by"])
+        best.write(folder / new["solution"])
+    return new
+
+
+def _note(changes, line, what, before, after, by):
+    if before is not None:
+        names = line["name"], line["agents"], what, before, after, by
+        changes.append(dict(zip(CHANGE_COLUMNS, names)))
+
+
+def _instance(folder, name, agents):
+    """Return an instance of the folder; the number of agents of several types is the instance's own."""
+    instance = load(name, folder=folder)
+    return instance if not instance.plain else instance.with_agents(agents)
+
+
+def _read(path):
+    if not path.exists():
+        return []
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def _write(path, columns, lines):
+    texts = [list(columns), *([text_of(line[name]) for name in columns] for line in lines)]
+    path.write_bytes(b"".join(map(line_of, texts)))

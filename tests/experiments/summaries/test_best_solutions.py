@@ -1,0 +1,125 @@
+"""What is best known of the library: it grows for the better only, notes each change, and `verify` finds what is spoiled."""
+
+import csv
+import dataclasses
+import json
+import shutil
+
+import pandas as pd
+import pytest
+
+from mamttsp import InputError, Solution, TourError, check, load, solve
+from mamttsp.experiments.summaries.best_solutions import CHANGES, COLUMNS, TABLE, Finding, line_faults, of_rows, update
+from mamttsp.experiments.verification import verify
+from mamttsp.library import FOLDER
+
+NAME, TYPES = "n05-i00-w40", "types-n10-i00-w40"
+
+
+@pytest.fixture(scope="module")
+def found():
+    """The best tours of an instance, found with two agents, and longer ones: the best for shorter windows."""
+    best, longer = (solve(load(name, n_agents=2), method="micp") for name in (NAME, "n05-i00-w20"))
+    assert longer.objective > best.objective
+    return best, longer
+
+
+@pytest.fixture
+def folder(tmp_path):
+    for name in (NAME, TYPES):
+        shutil.copy(FOLDER / f"{name}.json", tmp_path)
+    manifest = json.loads((FOLDER / "manifest.json").read_text())["files"]
+    sums = {f"{name}.json": manifest[f"{name}.json"] for name in (NAME, TYPES)}
+    (tmp_path / "manifest.json").write_text(json.dumps({"files": sums}))
+    return tmp_path
+
+
+def _found(solution, by, bound=None):
+    return Finding(NAME, 2, solution.tours, bound, by, by)
+
+
+def _table(folder, name=TABLE):
+    with (folder / name).open(newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def test_the_table_grows_for_the_better_and_notes_changes(folder, found):
+    best, longer = found
+    update(folder, [_found(longer, "one", 50.0)])
+    (line,) = _table(folder)
+    assert tuple(line) == COLUMNS and line["status"] == "feasible" and float(line["objective"]) == longer.objective
+    assert _table(folder, CHANGES) == []
+    update(folder, [_found(best, "two", best.bound), _found(longer, "three", 60.0)])
+    (line,) = _table(folder)
+    assert line["status"] == "optimal" and float(line["objective"]) == best.objective and line["objective_by"] == "two"
+    changed = [(entry["what"], float(entry["before"]), float(entry["after"]), entry["by"]) for entry in _table(folder, CHANGES)]
+    assert changed == [("objective", longer.objective, best.objective, "two"), ("bound", 50.0, best.bound, "two")]
+    stored = Solution.read(folder / line["solution"])
+    assert stored.status == "optimal" and check(load(NAME, 2), stored) == best.objective
+    before = {path: path.read_bytes() for path in folder.rglob("*.*")}
+    update(folder, [_found(longer, "four", 1.0)])
+    assert {path: path.read_bytes() for path in folder.rglob("*.*")} == before
+
+
+def test_a_better_bound_alone_changes_the_status_in_the_solution_too(folder, found):
+    update(folder, [_found(found[0], "one", 50.0)])
+    update(folder, [Finding(NAME, 2, (), found[0].bound, "", "two")])
+    (line,) = _table(folder)
+    assert (line["status"], line["objective_by"], line["bound_by"]) == ("optimal", "one", "two")
+    assert Solution.read(folder / line["solution"]).bound == found[0].bound
+
+
+def test_a_bound_without_tours_is_known_as_such(folder):
+    update(folder, [Finding(NAME, 2, (), 12.5, "", "one")])
+    assert [(line["status"], line["objective"], line["solution"]) for line in _table(folder)] == [("unknown", "", "")]
+    assert line_faults(folder, _table(folder)[0]) == []
+
+
+def test_types_of_agents_have_their_own_number(folder):
+    tours = solve(load(TYPES), method="micp", gap=1.0, time_limit=60).tours
+    update(folder, [Finding(TYPES, 3, tours, None, "one", "one")])
+    (line,) = _table(folder)
+    assert line["solution"] == f"best/{TYPES}-m3.json" and line_faults(folder, line) == []
+
+
+def test_what_is_wrong_is_not_taken(folder, found):
+    late = [dataclasses.replace(tour, return_time=1e4) for tour in found[0].tours]
+    with pytest.raises(TourError, match="after the horizon"):
+        update(folder, [Finding(NAME, 2, tuple(late), None, "one", "one")])
+    with pytest.raises(InputError, match=f"^{NAME}, 2 agents: the bound 1000.0 is above"):
+        update(folder, [_found(found[0], "one", 1000.0)])
+    assert not (folder / TABLE).exists()
+
+
+def test_what_a_campaign_knows(found):
+    tours = json.dumps([tour.to_dict() for tour in found[0].tours])
+    row = {"n": 5, "index": 0, "total_window": 40, "agents": 2, "objective": 1.0, "objective_by": "a", "bound": 0.5}
+    (one,) = of_rows(pd.DataFrame([row | {"bound_by": "b", "tours": tours}]))
+    assert one == Finding(NAME, 2, found[0].tours, 0.5, "a", "b")
+    (none,) = of_rows(pd.DataFrame([row | {"bound": float("nan"), "bound_by": "", "tours": "[]"}]))
+    assert (none.tours, none.bound) == ((), None)
+
+
+def _faults(folder):
+    return [fault for _, faults in verify(folder) for fault in faults]
+
+
+def test_verify_finds_a_byte_a_tour_and_a_row_that_are_spoiled(folder, found):
+    update(folder, [_found(found[0], "one", found[0].bound)])
+    assert _faults(folder) == []
+    line = _table(folder)[0]
+    solution, table, instance = folder / line["solution"], folder / TABLE, folder / f"{NAME}.json"
+    spoiled = {
+        instance: (instance.read_text().replace("150.0", "150.1", 1), "its sha256 sum is"),
+        solution: (solution.read_text().replace('"time": ', '"time": 1', 1), "line 2: tour 0"),
+        table: (table.read_text().replace(line["objective"], "1.0", 1), "line 2: objective 1.0, but the tours' length is"),
+    }
+    for path, (text, message) in spoiled.items():
+        good = path.read_text()
+        assert text != good
+        path.write_text(text)
+        faults = _faults(folder)
+        assert any(message in fault for fault in faults) and all("\n" not in fault for fault in faults)
+        path.write_text(good)
+    solution.unlink()
+    assert any("cannot be read" in fault for fault in _faults(folder))
