@@ -23,7 +23,7 @@ _BETTER, _ABOVE, _CLOSED = 1e-7, 1e-4, 1e-4
 
 
 @dataclasses.dataclass(frozen=True)
-class Finding:
+class Contribution:
     """What someone found of an instance of the library: tours, () for none, and a lower bound in units or None.
 
     agents: the number, which for types of agents is that of the instance; tours_by, bound_by: who.
@@ -42,7 +42,7 @@ def of_rows(best):
     for _, line in best.iterrows():
         bound = None if math.isnan(line["bound"]) else float(line["bound"])
         name = f"n{int(line['n']):02}-i{int(line['index']):02}-w{int(line['total_window'])}"
-        yield Finding(name, int(line["agents"]), tours_of(line), bound, str(line["objective_by"]), str(line["bound_by"]))
+        yield Contribution(name, int(line["agents"]), tours_of(line), bound, str(line["objective_by"]), str(line["bound_by"]))
 
 
 def update(folder, found):

@@ -9,7 +9,7 @@ import pandas as pd
 import pytest
 
 from mamttsp import InputError, Solution, TourError, check, load, solve
-from mamttsp.experiments.summaries.best_solutions import CHANGES, COLUMNS, TABLE, Finding, line_faults, of_rows, update
+from mamttsp.experiments.summaries.best_solutions import CHANGES, COLUMNS, TABLE, Contribution, line_faults, of_rows, update
 from mamttsp.experiments.verification import verify
 from mamttsp.library import FOLDER
 
@@ -35,7 +35,7 @@ def folder(tmp_path):
 
 
 def _found(solution, by, bound=None):
-    return Finding(NAME, 2, solution.tours, bound, by, by)
+    return Contribution(NAME, 2, solution.tours, bound, by, by)
 
 
 def _table(folder, name=TABLE):
@@ -63,21 +63,21 @@ def test_the_table_grows_for_the_better_and_notes_changes(folder, found):
 
 def test_a_better_bound_alone_changes_the_status_in_the_solution_too(folder, found):
     update(folder, [_found(found[0], "one", 50.0)])
-    update(folder, [Finding(NAME, 2, (), found[0].bound, "", "two")])
+    update(folder, [Contribution(NAME, 2, (), found[0].bound, "", "two")])
     (line,) = _table(folder)
     assert (line["status"], line["objective_by"], line["bound_by"]) == ("optimal", "one", "two")
     assert Solution.read(folder / line["solution"]).bound == found[0].bound
 
 
 def test_a_bound_without_tours_is_known_as_such(folder):
-    update(folder, [Finding(NAME, 2, (), 12.5, "", "one")])
+    update(folder, [Contribution(NAME, 2, (), 12.5, "", "one")])
     assert [(line["status"], line["objective"], line["solution"]) for line in _table(folder)] == [("unknown", "", "")]
     assert line_faults(folder, _table(folder)[0]) == []
 
 
 def test_types_of_agents_have_their_own_number(folder):
     tours = solve(load(TYPES), method="micp", gap=1.0, time_limit=60).tours
-    update(folder, [Finding(TYPES, 3, tours, None, "one", "one")])
+    update(folder, [Contribution(TYPES, 3, tours, None, "one", "one")])
     (line,) = _table(folder)
     assert line["solution"] == f"best/{TYPES}-m3.json" and line_faults(folder, line) == []
 
@@ -85,7 +85,7 @@ def test_types_of_agents_have_their_own_number(folder):
 def test_what_is_wrong_is_not_taken(folder, found):
     late = [dataclasses.replace(tour, return_time=1e4) for tour in found[0].tours]
     with pytest.raises(TourError, match="after the horizon"):
-        update(folder, [Finding(NAME, 2, tuple(late), None, "one", "one")])
+        update(folder, [Contribution(NAME, 2, tuple(late), None, "one", "one")])
     with pytest.raises(InputError, match=f"^{NAME}, 2 agents: the bound 1000.0 is above"):
         update(folder, [_found(found[0], "one", 1000.0)])
     assert not (folder / TABLE).exists()
@@ -95,7 +95,7 @@ def test_what_a_campaign_knows(found):
     tours = json.dumps([tour.to_dict() for tour in found[0].tours])
     row = {"n": 5, "index": 0, "total_window": 40, "agents": 2, "objective": 1.0, "objective_by": "a", "bound": 0.5}
     (one,) = of_rows(pd.DataFrame([row | {"bound_by": "b", "tours": tours}]))
-    assert one == Finding(NAME, 2, found[0].tours, 0.5, "a", "b")
+    assert one == Contribution(NAME, 2, found[0].tours, 0.5, "a", "b")
     (none,) = of_rows(pd.DataFrame([row | {"bound": float("nan"), "bound_by": "", "tours": "[]"}]))
     assert (none.tours, none.bound) == ((), None)
 
