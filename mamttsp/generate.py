@@ -41,8 +41,8 @@ def generate(
     number. The same (n_targets, seed) gives the same trajectories for every total_window and n_agents.
     agents: a list of Agents instead of n_agents and max_speed; demands: one number for all targets, or n of them. The
     windows then hold a tour that one agent of the first type can fly, whatever its capacity.
-    side: S, the square is centred at (0, 0), the depot unless agents say otherwise; horizon: T in s; max_speed: v_max; target_speed: the range from
-    which each target's constant speed is drawn, in units/s.
+    side: S, the square is centred at (0, 0), the depot unless agents say otherwise; horizon: T in s; max_speed: v_max;
+    target_speed: the range from which each target's constant speed is drawn, in units/s.
 
     Open in the paper, chosen here:
     n_pieces: straight pieces of each trajectory; their durations are drawn between once and twice a common

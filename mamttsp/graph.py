@@ -7,6 +7,7 @@ one layer, is still a path of the paper's kind, and all that is said of nodes an
 
 import dataclasses
 import functools
+import itertools
 import math
 
 import numpy as np
@@ -25,7 +26,7 @@ class Graph:
 
     t_lo, t_hi: (|V|,) start and end time of each node in s; p_lo, p_hi: (|V|, 2) positions there; v: (|V|, 2)
     velocities. tau: (|V|,) the target of each segment, -1 for s and s'. edges: (|E|, 2) pairs (i, j).
-    horizon: T; size: the diagonal of depots, ends and paths; R: the baseline's big-M, the instance's own or else `size`.
+    horizon: T; size: the diagonal of depots, ends and paths; R: the baseline's big-M, the instance's own or `size`.
 
     Of K layers, one after the other, and their agents: layer: (|V|,) the layer of each node; types: (K,) which entry of
     `Instance.agents`; counts: (K,) how many; speeds: (K,) v_max; capacities: (K,) infinity without a limit. demands:
@@ -131,7 +132,7 @@ def build_graph(instance: Instance, prune: bool = False, by_agent: bool = False)
     entries = [instance.agents[number] for number in types]
     V_seg = [(*segment, u) for u, target in enumerate(instance.targets) for segment in segments(target)]
     rows = [[_stop(entry.depot, 0.0), *V_seg, _stop(entry.end, instance.horizon)] for entry in entries]
-    t_lo, t_hi, p_lo, p_hi, v, tau = (np.array(column) for column in zip(*sum(rows, [])))
+    t_lo, t_hi, p_lo, p_hi, v, tau = (np.array(column) for column in zip(*itertools.chain.from_iterable(rows)))
     size = len(V_seg) + 2
     graph = Graph(
         *(t_lo, t_hi, p_lo, p_hi, v, tau),

@@ -180,7 +180,7 @@ class Instance:
         return dataclasses.replace(self, agents=(entry,))
 
     def to_dict(self) -> dict[str, Any]:
-        """Return the JSON object of the file format (times in s, lengths in units), of version 1 where that suffices."""
+        """Return the JSON object of the file format (times in s, lengths in units), version 1 where that suffices."""
         common = {"horizon": self.horizon} if self.R is None else {"horizon": self.horizon, "R": self.R}
         targets = [target.to_dict() for target in self.targets]
         if not self.plain:

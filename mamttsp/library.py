@@ -37,7 +37,9 @@ def load(name: str, n_agents: int | None = None, folder: str | os.PathLike[str] 
     """
     found = _NAME.fullmatch(of_type("name", name, str))
     if found is None or (short := _short(*found.groups()[:4])) not in parameters():
-        raise InputError(f'name: {brief(name)} is not in the library; names are like "n20-i03-w40" or "loose-n10-i00-w75"')
+        raise InputError(
+            f'name: {brief(name)} is not in the library; names are like "n20-i03-w40" or "loose-n10-i00-w75"'
+        )
     if found[5] is not None and n_agents is not None:
         raise InputError(f"n_agents: {brief(name)} says it already")
     instance = Instance.read(Path(folder) / f"{short}.json")

@@ -1,4 +1,4 @@
-"""Other people's instances: linear motions from JSON and TOML, and vehicle routing with time windows from Solomon's text.
+"""Other people's instances: linear motions from JSON and TOML, vehicle routing with time windows from Solomon's text.
 
 Nothing of theirs is in this package: give paths to files that you have.
 """
@@ -14,7 +14,7 @@ from .jsonfile import read_json, require
 from .validation import InputError, counted, whole
 
 
-def read_linear_motions(targets, agent, n_agents=1):
+def read_linear_motions(targets: str | Path, agent: str | Path, n_agents: int = 1) -> Instance:
     """Return the Instance in a pair of files as the public repository MICP_for_MT-TSP has them.
 
     targets: path of a JSON object, for each target its name with px, py (units, at time 0), vx, vy (units/s) and the
@@ -30,7 +30,7 @@ def read_linear_motions(targets, agent, n_agents=1):
             raise InputError(f"{agent}: {section}: expected a table with {', '.join(fields)}")
         _require(fleet[section], agent, f"{section}.", *fields)
     depot, param = fleet["depot"], fleet["param"]
-    paths = read_json(targets, lambda data: _motions(data))
+    paths = read_json(targets, _motions)
     named = {"n_agents": n_agents, "depot": (depot["px"], depot["py"]), "max_speed": param["vmax"]}
     try:
         p, v, windows = (list(column) for column in zip(*paths))
@@ -39,7 +39,7 @@ def read_linear_motions(targets, agent, n_agents=1):
         raise InputError(f"{targets}, {agent}: {error}") from error
 
 
-def read_solomon(path, ignore_service=False, n_agents=None):
+def read_solomon(path: str | Path, ignore_service: bool = False, n_agents: int | None = None) -> Instance:
     """Return the Instance in a text file as Solomon's of vehicle routing with time windows, by the package vrplib.
 
     The customers are targets that stay where they are, with one window each and their demands; vehicles are agents of
@@ -54,7 +54,9 @@ def read_solomon(path, ignore_service=False, n_agents=None):
     """
     data = _read_vrplib(path)
     if np.any(data["service_time"]) and not ignore_service:
-        raise InputError(f"{path}: customers take time to serve, which targets do not; ignore_service=True leaves it out")
+        raise InputError(
+            f"{path}: customers take time to serve, which targets do not; ignore_service=True leaves it out"
+        )
     horizon = float(data["time_window"][0, 1])
     agents = whole("n_agents", int(data["vehicles"]) if n_agents is None else n_agents, 1)
     customers = zip(data["node_coord"][1:], data["time_window"][1:], data["demand"][1:])
@@ -111,5 +113,7 @@ def _read_vrplib(path):
     except (ValueError, RuntimeError, IndexError, TypeError) as error:
         raise InputError(f"{path}: not in Solomon's format: {' '.join(str(error).split())}") from error
     if np.ndim(data["node_coord"]) != 2 or len(data["node_coord"]) < 2:
-        raise InputError(f"{path}: expected a depot and at least one customer, found {counted(len(data['node_coord']), 'row')}")
+        raise InputError(
+            f"{path}: expected a depot and at least one customer, found {counted(len(data['node_coord']), 'row')}"
+        )
     return data

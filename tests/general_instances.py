@@ -23,6 +23,8 @@ def random_general(n_targets, n_types, seed, total_window=20):
         end = rng.integers(-30, 31, 2).tolist() if rng.random() < 0.4 else None
         capacity = float(rng.integers(2, 6)) if rng.random() < 0.7 else None
         depot = depots[rng.integers(len(depots))]
-        types.append(Agents(int(rng.integers(1, 3 if n_types == 1 else 2)), depot, float(rng.integers(3, 7)), end, capacity))
+        types.append(
+            Agents(int(rng.integers(1, 3 if n_types == 1 else 2)), depot, float(rng.integers(3, 7)), end, capacity)
+        )
     demands = rng.integers(0, 5, n_targets).tolist()
     return generate(n_targets, total_window, seed=seed, agents=types, demands=demands)

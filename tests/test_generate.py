@@ -109,7 +109,10 @@ TYPES = [Agents(1, (30.0, -30.0), 3.0, end=(0.0, 40.0), capacity=2.0), Agents(2,
 
 @given(sizes, seeds, st.sampled_from(WINDOWS))
 def test_types_and_demands_leave_the_trajectories(n, seed, total_window):
-    plain, unlike = generate(n, total_window, seed=seed), generate(n, total_window, seed=seed, agents=TYPES, demands=1.5)
+    plain, unlike = (
+        generate(n, total_window, seed=seed),
+        generate(n, total_window, seed=seed, agents=TYPES, demands=1.5),
+    )
     assert unlike.agents == tuple(TYPES) and [target.demand for target in unlike.targets] == [1.5] * n
     for a, b in zip(plain.targets, unlike.targets):
         assert (a.times == b.times).all() and (a.points == b.points).all()

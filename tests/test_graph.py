@@ -100,10 +100,17 @@ def test_each_type_has_a_layer_with_a_depot_and_an_end_of_its_own():
     graph = _layered()
     assert graph.layer.tolist() == [0] * 4 + [1] * 4 and graph.tau.tolist() == [-1, 0, 1, -1] * 2
     assert (graph.starts.tolist(), graph.ends.tolist(), graph.V_seg) == ([0, 4], [3, 7], [1, 2, 5, 6])
-    assert graph.p_lo[graph.starts].tolist() == [[0, 0], [20, 0]] and graph.p_lo[graph.ends].tolist() == [[0, 0], [0, 20]]
+    assert graph.p_lo[graph.starts].tolist() == [[0, 0], [20, 0]] and graph.p_lo[graph.ends].tolist() == [
+        [0, 0],
+        [0, 20],
+    ]
     assert (graph.t_hi[graph.starts] == 0).all() and (graph.t_hi[graph.ends] == HORIZON).all()
     assert graph.C(1).tolist() == [2, 6] and graph.n_targets == 2
-    assert graph.speeds.tolist() == [1.0, 9.0] and graph.capacities.tolist() == [np.inf, 1.0] and graph.demands.tolist() == [2, 0]
+    assert (
+        graph.speeds.tolist() == [1.0, 9.0]
+        and graph.capacities.tolist() == [np.inf, 1.0]
+        and graph.demands.tolist() == [2, 0]
+    )
     assert graph.loaded and graph.numbered and graph.counts.tolist() == [2, 1]
 
 

@@ -221,10 +221,16 @@ BAD = {
     "no targets": (_with(targets=[]), "targets: expected at least one"),
     "targets of the wrong kind": (_with(targets={"a": 1}), "targets: expected a list"),
     "a target of the wrong kind": (_with(targets=[3]), "targets[0]: expected an object"),
-    "a target without windows": (_with(targets=[{"times": [0, 1], "points": [[0, 0], [1, 1]]}]), "targets[0].windows: missing"),
+    "a target without windows": (
+        _with(targets=[{"times": [0, 1], "points": [[0, 0], [1, 1]]}]),
+        "targets[0].windows: missing",
+    ),
     "NaN": (_with(depot=[0.0, math.nan]), "NaN is not a number"),
     "Infinity": (_with(horizon=math.inf), "Infinity is not a number"),
-    "a number beyond a float": (_with(horizon=100).replace('"horizon": 100', '"horizon": 1e999'), "horizon: expected a finite"),
+    "a number beyond a float": (
+        _with(horizon=100).replace('"horizon": 100', '"horizon": 1e999'),
+        "horizon: expected a finite",
+    ),
     "a whole number beyond a float": (_with(depot=[0, 10**400]), "depot: expected numbers"),
     "no agents": (_with(n_agents=0), "n_agents: expected a whole number of at least 1, found 0"),
     "half an agent": (_with(n_agents=1.5), "n_agents: expected a whole number"),
@@ -257,7 +263,10 @@ BAD = {
         _with_target(points=[[0, 0], [500, 0]]),
         "targets[0].points: speed 5 is not below max_speed 4",
     ),
-    "a target as fast as the agents": (_with_target(points=[[0, 0], [400, 0]]), "targets[0].points: speed 4 is not below"),
+    "a target as fast as the agents": (
+        _with_target(points=[[0, 0], [400, 0]]),
+        "targets[0].points: speed 4 is not below",
+    ),
 }
 
 
@@ -278,7 +287,10 @@ def _two_with_target(**fields):
 
 
 BAD |= {
-    "version 2 without agents": (json.dumps({k: v for k, v in UNLIKE.to_dict().items() if k != "agents"}), "agents: missing"),
+    "version 2 without agents": (
+        json.dumps({k: v for k, v in UNLIKE.to_dict().items() if k != "agents"}),
+        "agents: missing",
+    ),
     "version 2 with a depot": (_two(depot=[0, 0]), "depot: not a field of version 2, which has agents"),
     "version 2 with a number of agents": (_two(n_agents=3), "n_agents: not a field of version 2"),
     "version 2 with a speed": (_two(max_speed=4.0), "max_speed: not a field of version 2"),
@@ -290,14 +302,20 @@ BAD |= {
     "a type without a speed": (_two_with_entry("max_speed"), "agents[1].max_speed: missing"),
     "a type of nobody": (_two_with_entry(count=0), "agents[1].count: expected a whole number of at least 1, found 0"),
     "a type of one and a half": (_two_with_entry(count=1.5), "agents[1].count: expected a whole number"),
-    "a type with a depot in space": (_two_with_entry(depot=[0, 0, 0]), "agents[1].depot: expected the shape 2, found 3"),
+    "a type with a depot in space": (
+        _two_with_entry(depot=[0, 0, 0]),
+        "agents[1].depot: expected the shape 2, found 3",
+    ),
     "a type that stands still": (_two_with_entry(max_speed=0), "agents[1].max_speed: expected a finite number above 0"),
     "a type with half an end": (_two_with_entry(end=[1]), "agents[1].end: expected the shape 2, found 1"),
     "a type with an end in words": (_two_with_entry(end="home"), "agents[1].end: expected numbers in the shape 2"),
     "a capacity below 0": (_two_with_entry(capacity=-1), "agents[1].capacity: expected a finite number of at least 0"),
     "a capacity in words": (_two_with_entry(capacity="all"), "agents[1].capacity: expected a finite number"),
     "a misspelt capacity": (_two_with_entry(capcity=5), "agents[1].capcity: unknown; an entry has count, depot"),
-    "a demand below 0": (_two_with_target(demand=-1), "targets[0].demand: expected a finite number of at least 0, found -1"),
+    "a demand below 0": (
+        _two_with_target(demand=-1),
+        "targets[0].demand: expected a finite number of at least 0, found -1",
+    ),
     "a demand in words": (_two_with_target(demand="two"), "targets[0].demand: expected a finite number of at least 0"),
     "a demand of null": (_two_with_target(demand=None), "targets[0].demand: expected a finite number of at least 0"),
     "a target faster than the slowest type": (
@@ -331,7 +349,9 @@ def test_bad_input_ends_the_command_line_with_status_2_and_the_same_line(bad, ca
     assert out == "" and err.startswith(f"{path}: {message}") and len(err.splitlines()) == 1
 
 
-@pytest.mark.parametrize("name, message", [("missing", "No such file"), (".", "Is a directory"), ("binary", "invalid start byte")])
+@pytest.mark.parametrize(
+    "name, message", [("missing", "No such file"), (".", "Is a directory"), ("binary", "invalid start byte")]
+)
 def test_what_cannot_be_read_is_named(name, message, tmp_path):
     (tmp_path / "binary").write_bytes(b"\xff\xfe\x00")
     with pytest.raises(InputError, match=f"cannot be read: .*{message}") as caught:

@@ -60,7 +60,9 @@ def test_the_series_beyond_the_paper(index):
     for n in (20, 25):
         (entry,) = load(f"loads-n{n}-i{index:02}-w40").agents
         needed = sum(target.demand for target in load(f"loads-n{n}-i{index:02}-w40").targets)
-        assert 2 * entry.capacity < needed <= 3 * entry.capacity and entry == Agents(4, (0, 0), 4.0, capacity=entry.capacity)
+        assert 2 * entry.capacity < needed <= 3 * entry.capacity and entry == Agents(
+            4, (0, 0), 4.0, capacity=entry.capacity
+        )
 
 
 @pytest.mark.parametrize(

@@ -98,8 +98,6 @@ def test_the_unit_of_demand_changes_nothing(problem, unit):
 def test_reversed_in_time_with_depots_and_ends_exchanged_nothing_changes(problem):
     """An agent may wait at its depot, and may be early at its end, so a tour flown backwards is a tour."""
     T = problem.horizon
-    targets = [
-        Target(T - t.times[::-1], t.points[::-1], T - t.windows[::-1, ::-1], t.demand) for t in problem.targets
-    ]
+    targets = [Target(T - t.times[::-1], t.points[::-1], T - t.windows[::-1, ::-1], t.demand) for t in problem.targets]
     entries = [Agents(e.count, e.end, e.max_speed, e.depot, e.capacity) for e in problem.agents]
     assert _same(_optimum(Instance(targets, agents=entries, horizon=T)), _optimum(problem))

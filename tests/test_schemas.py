@@ -4,20 +4,23 @@ import json
 
 import jsonschema
 import pytest
-from tests.examples import agents, general, moving, still
-from test_instance import BAD
 
 from mamttsp import InputError, Instance, Solution, Tour, Visit, generate, solve
 from mamttsp.library import FOLDER, parameters
 from mamttsp.schemas import schema
+from tests.examples import agents, general, moving, still
+from tests.test_instance import BAD
 
 VALID = jsonschema.Draft202012Validator
-UNLIKE = general(still(1, 1, demand=2.0), moving((9, 9), (0, 0.2)), types=[agents(2), agents(1, end=(3.0, 3.0), capacity=4.0)])
+UNLIKE = general(
+    still(1, 1, demand=2.0), moving((9, 9), (0, 0.2)), types=[agents(2), agents(1, end=(3.0, 3.0), capacity=4.0)]
+)
 
 #: what only the reader sees: relations between numbers, and what is no JSON for others either
 BEYOND = (
     "an empty file", "not JSON", "nested without end", "NaN", "Infinity", "a number beyond a float",
-    "a whole number beyond a float", "times that stand still", "times that go back", "a point too many", "a window reversed",
+    "a whole number beyond a float", "times that stand still", "times that go back", "a point too many",
+    "a window reversed",
     "windows that overlap", "windows out of order", "a window past the path", "a window before the path",
     "a window past the horizon", "a window before time 0", "a target faster than the agents",
     "a target as fast as the agents", "a target faster than the slowest type",
@@ -68,4 +71,6 @@ def test_bad_solutions_are_refused_by_both(change):
 def test_version_2_of_a_solution_names_types():
     tour = {"visits": [], "return_time": 0.0}
     data = Solution("feasible", 9.0, 1.0, 0.5, (), "exact", "none").to_dict() | {"version": 2}
-    assert errors("solution", data | {"tours": [tour]}) and not errors("solution", data | {"tours": [tour | {"agent": 1}]})
+    assert errors("solution", data | {"tours": [tour]}) and not errors(
+        "solution", data | {"tours": [tour | {"agent": 1}]}
+    )

@@ -56,12 +56,17 @@ def test_windows_are_when_the_track_is_inside(area, seed):
 
 
 def test_in_and_out_of_a_u():
-    assert windows_inside(np.array([0.0, 40.0]), np.array([(-20.0, 0.0), (20.0, 0.0)]), U) == [(10.0, 15.0), (25.0, 30.0)]
+    assert windows_inside(np.array([0.0, 40.0]), np.array([(-20.0, 0.0), (20.0, 0.0)]), U) == [
+        (10.0, 15.0),
+        (25.0, 30.0),
+    ]
 
 
 def test_a_degree_of_latitude_is_111_km_and_of_longitude_less():
     x, y = project([(5.0, 52.0), (4.0, 53.0)], (4.0, 52.0)).T
-    assert x == pytest.approx([111.195 * np.cos(np.radians(52)), 0.0], rel=1e-4) and y == pytest.approx([0.0, 111.195], rel=1e-4)
+    assert x == pytest.approx([111.195 * np.cos(np.radians(52)), 0.0], rel=1e-4) and y == pytest.approx(
+        [0.0, 111.195], rel=1e-4
+    )
 
 
 def _ships():

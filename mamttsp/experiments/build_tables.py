@@ -18,7 +18,8 @@ from .summaries.row_statistics import of_runs, read_table
 def build_tables(folder):
     """Write both tables into `folder`, from its published.csv, exact.csv and reduced.csv, and yield their paths.
 
-    Where there is a folder `instances`, what the rows know better is taken into its own best_known.csv. InputError: a file is missing or has other columns, rows contradict each other, or a table cannot be written.
+    Where there is a folder `instances`, what the rows know better is taken into its own best_known.csv.
+    InputError: a file is missing or has other columns, rows contradict each other, or a table cannot be written.
     """
     folder = Path(folder)
     exact, reduced = read_table(folder / "exact.csv"), read_table(folder / "reduced.csv")

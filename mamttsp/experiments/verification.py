@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ..generate import paper_instance
 from ..solution import FEASIBLE, OPTIMAL
-from ..tours import TourError, check
+from ..tours import check
 from ..validation import InputError, counted
 from .campaigns.rows import INSTANCE, tours_of
 from .summaries.best_solutions import TABLE, line_faults

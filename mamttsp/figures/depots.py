@@ -6,7 +6,7 @@ _END = DEPOT | {"marker": "X", "markersize": 11}
 
 
 def depots(instance):
-    """Yield (place, style, label) for each place at which agents start, and then for each other one at which they end."""
+    """Yield (place, style, label) for each place at which agents start, then for the others at which they end."""
     starts = _by_place((entry.depot, k) for k, entry in enumerate(instance.agents))
     ends = _by_place((entry.end, k) for k, entry in enumerate(instance.agents) if not entry.returns)
     several = len(instance.agents) > 1

@@ -48,8 +48,8 @@ EQUATIONS = {
     },
 }
 METHODS = tuple(EQUATIONS)
-#: families that several types of agents, and capacities, add or state anew; the equation that each one generalises, None
-#: where the paper has nothing like it. (23) is the model for the load of an edge: y_e times an interval.
+#: families that several types of agents, and capacities, add or state anew; the equation that each one generalises,
+#: None where the paper has nothing like it. (23) is the model for the load of an edge: y_e times an interval.
 _BY_AGENT = {"depot_flow_out": 2, "depot_flow_in": 3, "capacity": None}
 BEYOND = {
     "baseline": _BY_AGENT,

@@ -108,7 +108,9 @@ def test_loads_by_hand():
 def test_the_micp_grows_with_types_and_the_other_models_with_agents(modeler):
     def sizes(method, *counts):
         types = [agents(count, depot=(10.0 * k, 0.0)) for k, count in enumerate(counts)]
-        return built(method, modeler, general(still(1, 1), moving((20, 0), (0, 0.5)), still(3, 9), types=types)).statistics()
+        return built(
+            method, modeler, general(still(1, 1), moving((20, 0), (0, 0.5)), still(3, 9), types=types)
+        ).statistics()
 
     assert sizes("micp", 1, 1) == sizes("micp", 2, 5)
     assert sizes("micp", 1, 1, 1).cones == 3 * sizes("micp", 7).cones
@@ -221,7 +223,7 @@ def test_the_hole_is_in_each_layer_and_one_cut_closes_all():
 
 
 def test_loads_leave_no_cycle_through_a_demand():
-    """The load grows along an edge by the demand of its tail, so where capacities bind a cycle with a demand cannot close."""
+    """The load grows along an edge by the demand of its tail, so a cycle with a demand cannot close."""
     light, bound = ([agents(1, capacity=c), agents(1, depot=(0.0, -5.0), capacity=c)] for c in (9.0, 2.0))
     open_hole = solve(_meeting(light, demand=1.0), method="micp", solver="scip", subtour_cuts=False)
     closed = solve(_meeting(bound, demand=1.0), method="micp", solver="scip", subtour_cuts=False)

@@ -42,7 +42,9 @@ def of_rows(best):
     for _, line in best.iterrows():
         bound = None if math.isnan(line["bound"]) else float(line["bound"])
         name = f"n{int(line['n']):02}-i{int(line['index']):02}-w{int(line['total_window'])}"
-        yield Contribution(name, int(line["agents"]), tours_of(line), bound, str(line["objective_by"]), str(line["bound_by"]))
+        yield Contribution(
+            name, int(line["agents"]), tours_of(line), bound, str(line["objective_by"]), str(line["bound_by"])
+        )
 
 
 def update(folder, found):
@@ -64,7 +66,7 @@ def update(folder, found):
 
 
 def line_faults(folder, line):
-    """Return what is wrong with a line of the table, as a list of texts: its tours, their length, the bound above it."""
+    """Return what is wrong with a line of the table, as texts: its tours, their length, the bound above it."""
     try:
         instance = _instance(folder, line["name"], int(line["agents"]))
         tours = Solution.read(Path(folder) / line["solution"]).tours if line["solution"] else ()

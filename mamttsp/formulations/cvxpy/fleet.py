@@ -25,7 +25,7 @@ def count_agents(alpha, graph):
 
 
 def loads(y, q, graph):
-    """Return {family: constraints} of the loads q (|E|,): what a visit adds, and what an edge that is flown can have."""
+    """Return {family: constraints} of the loads q (|E|,): what a visit adds, and what a flown edge can have."""
     tail, head = graph.edges.T
     into, out_of = (pick(node, graph).T.tocsr()[graph.V_seg] for node in (head, tail))
     demand = _demand(graph)

@@ -92,4 +92,6 @@ def _load_limits(graph):
     d, room, start = _demands(graph), graph.room[graph.layer].tolist(), set(graph.starts.tolist())
     edges = [tuple(e) for e in graph.edges.tolist()]
     most = {(i, j): room[i] - d[j] for i, j in edges}
-    return {(i, j): d[i] for i, j in edges}, {e: min(limit, 0.0) if e[0] in start else limit for e, limit in most.items()}
+    return {(i, j): d[i] for i, j in edges}, {
+        e: min(limit, 0.0) if e[0] in start else limit for e, limit in most.items()
+    }

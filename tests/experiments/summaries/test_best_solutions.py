@@ -1,4 +1,4 @@
-"""What is best known of the library: it grows for the better only, notes each change, and `verify` finds what is spoiled."""
+"""What is best known of the library: it grows for the better only, notes changes, and `verify` finds what is spoiled."""
 
 import csv
 import dataclasses
@@ -9,7 +9,15 @@ import pandas as pd
 import pytest
 
 from mamttsp import InputError, Solution, TourError, check, load, solve
-from mamttsp.experiments.summaries.best_solutions import CHANGES, COLUMNS, TABLE, Contribution, line_faults, of_rows, update
+from mamttsp.experiments.summaries.best_solutions import (
+    CHANGES,
+    COLUMNS,
+    TABLE,
+    Contribution,
+    line_faults,
+    of_rows,
+    update,
+)
 from mamttsp.experiments.verification import verify
 from mamttsp.library import FOLDER
 
@@ -52,7 +60,9 @@ def test_the_table_grows_for_the_better_and_notes_changes(folder, found):
     update(folder, [_found(best, "two", best.bound), _found(longer, "three", 60.0)])
     (line,) = _table(folder)
     assert line["status"] == "optimal" and float(line["objective"]) == best.objective and line["objective_by"] == "two"
-    changed = [(entry["what"], float(entry["before"]), float(entry["after"]), entry["by"]) for entry in _table(folder, CHANGES)]
+    changed = [
+        (entry["what"], float(entry["before"]), float(entry["after"]), entry["by"]) for entry in _table(folder, CHANGES)
+    ]
     assert changed == [("objective", longer.objective, best.objective, "two"), ("bound", 50.0, best.bound, "two")]
     stored = Solution.read(folder / line["solution"])
     assert stored.status == "optimal" and check(load(NAME, 2), stored) == best.objective
@@ -112,7 +122,10 @@ def test_verify_finds_a_byte_a_tour_and_a_row_that_are_spoiled(folder, found):
     spoiled = {
         instance: (instance.read_text().replace("150.0", "150.1", 1), "its sha256 sum is"),
         solution: (solution.read_text().replace('"time": ', '"time": 1', 1), "line 2: tour 0"),
-        table: (table.read_text().replace(line["objective"], "1.0", 1), "line 2: objective 1.0, but the tours' length is"),
+        table: (
+            table.read_text().replace(line["objective"], "1.0", 1),
+            "line 2: objective 1.0, but the tours' length is",
+        ),
     }
     for path, (text, message) in spoiled.items():
         good = path.read_text()
