@@ -1,45 +1,30 @@
-"""The exact solver, `method="exact"`: proved optima of MA-MT-TSP instances without a model or a licence.
+"""The exact solver, `method="exact"`: proved optima of MA-MT-TSP instances without a model or a licence."""
 
-Segments are cut into pieces; relaxed routes over pieces (ng-routes with affine values, see `relaxed`) bound and
-guide the growth of elementary labels (`labels`), whose routes enter a set partitioning (`partition`, `settle`);
-pieces that no solution better than the incumbent can use are dropped and the rest cut finer (`search`). Every bound
-holds for real tours because each step underestimates the flown distance; every incumbent is a real tour timed by the
-SOCP.
-"""
-
-import math
+import numpy as np
 
 from ..display import ProgressLog
 from ..graph import build_graph
 from ..options import Watch
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, Solution
-from ..validation import InputError
-from .heuristic import Annealing
+from .ruin_and_recreate import Annealing
+from .parameters import Parameters
 from .search import Search
 
 #: gaps below this are beyond the tolerance of the SOCP that times the tours
 _LEAST_GAP = 1e-7
 
 
-#: sets of targets are words of 64 bits
-_MOST_TARGETS = 64
-
-
-def solve_exact(instance, options):
+def solve_exact(instance, options, parameters=Parameters()):
     """Return a Solution of the instance, or what stands when a limit or Ctrl-C ends the run.
 
-    options: `options.Options`; threads has no effect, verbose prints a log. InputError: more than 64 targets.
+    options: `options.Options`; threads has no effect, verbose prints a log.
     """
-    if instance.n_targets > _MOST_TARGETS:
-        raise InputError(f'targets: method "exact" takes at most {_MOST_TARGETS}, found {instance.n_targets}')
-    graph, targets = build_graph(instance), range(instance.n_targets)
-    n_agents = min(instance.n_agents, instance.n_targets)
+    graph, n_agents = build_graph(instance), min(instance.n_agents, instance.n_targets)
     progress = options.progress or (ProgressLog() if options.verbose else None)
     with Watch(options.time_limit) as clock:
-        search = Search(
-            graph, targets, n_agents, max(options.gap, _LEAST_GAP), clock, progress,
-            annealing=Annealing(graph, targets, n_agents, options.seed),
-        )  # fmt: skip
+        annealing = Annealing(graph, range(instance.n_targets), n_agents, options.seed)
+        start = [_segments(graph, tour) for tour in options.start or ()]
+        search = Search(graph, n_agents, max(options.gap, _LEAST_GAP), clock, parameters, annealing, progress, start)
         try:
             search.run()
         except KeyboardInterrupt:  # from the progress callback; Ctrl-C itself is the clock's
@@ -47,10 +32,16 @@ def solve_exact(instance, options):
     return _solution(search, clock.spent)
 
 
+def _segments(graph, tour):
+    """Return the route of a tour: the segment of each visit, that whose time is nearest."""
+    late = [np.maximum(graph.t_lo - v.time, v.time - graph.t_hi) + 1e9 * (graph.tau != v.target) for v in tour.visits]
+    return tuple(int(np.argmin(off)) for off in late)
+
+
 def _solution(search, runtime):
     standing, tours = search.standing, search.incumbent.tours()
     objective, bound, _ = standing.figures()
-    if math.isinf(bound):
+    if standing.infeasible:
         status, bound = INFEASIBLE, None
     elif tours:
         status = OPTIMAL if standing.closed() else FEASIBLE

@@ -2,112 +2,184 @@
 
 A label is a set of visited targets, a last piece, an affine minorant (left, right) of the reduced cost of being there
 at each time, and the exact earliest time at which its sequence of pieces can be there; so every complete label is a
-flyable tour. A label is dropped if its completion bound passes the limit, or if another one with the same set and last
-piece is nowhere worse (dominance on bounds: the least bound of all complete labels stays a bound on every route).
+flyable tour. A label is dropped if no completion keeps it within the limit, or if another one with the same set and
+last piece is nowhere worse (dominance on bounds: the least bound of all complete labels stays a bound on every route).
 """
+
+from typing import NamedTuple
 
 import numpy as np
 from numba import njit
 
 from ..motion import earliest_meeting
-from .layer import empty, grown, put, rehash, select, slot_of
-from .memory import local_memory
-from .relaxed import after_leg
+from .legs import after_leg, least, share_before
+from .ngroutes import penalty
+from .sets import add, disjoint, has, same
 
 _EPS = 1e-12
-_FIRST_SIZE = 1 << 14
+_FIRST_SIZE = 1 << 12
+
+
+class Labels(NamedTuple):
+    """The X labels of one layer (number of visits).
+
+    visited: (X, W) set of targets; odd: (X,) the subset-row cuts of whose rows it serves an odd number; piece: (X,)
+    last piece; left, right: (X,) reduced cost at its ends; early: (X,) earliest time there in s; parent: (X,) label of
+    the layer before, -1 for none.
+    """
+
+    visited: np.ndarray
+    odd: np.ndarray
+    piece: np.ndarray
+    left: np.ndarray
+    right: np.ndarray
+    early: np.ndarray
+    parent: np.ndarray
 
 
 @njit(cache=True)
-def _share(time, start, width):
-    """Return the part of a piece, from 0 to 1, that lies before `time`."""
-    return max(0.0, time - start) / width if width > 0.0 else 0.0
+def _empty(size, W):
+    return Labels(
+        np.zeros((size, W), np.uint64), np.empty(size, np.uint64), np.empty(size, np.int32), np.empty(size),
+        np.empty(size), np.empty(size), np.empty(size, np.int32),
+    )  # fmt: skip
 
 
 @njit(cache=True)
-def _least(left, right, share):
-    """Return the least value of an affine function from `share` of its piece to the end."""
-    return min(left + (right - left) * share, right)
+def _grown(labels):
+    """Return the Labels with room for as many again."""
+    size, W = labels.visited.shape
+    more = _empty(2 * size, W)
+    more.visited[:size], more.odd[:size], more.piece[:size] = labels.visited, labels.odd, labels.piece
+    more.left[:size], more.right[:size] = labels.left, labels.right
+    more.early[:size], more.parent[:size] = labels.early, labels.parent
+    return more
 
 
 @njit(cache=True)
-def first_labels(pieces, pi, N, completion, alive, limit):
-    """Return the Labels of one visit: straight from the depot."""
-    labels = empty(len(pieces.a))
+def select(labels, keep):
+    """Return the labels with the given indices, in that order."""
+    return Labels(
+        labels.visited[keep], labels.odd[keep], labels.piece[keep], labels.left[keep], labels.right[keep],
+        labels.early[keep], labels.parent[keep],
+    )  # fmt: skip
+
+
+@njit(cache=True, inline="always")
+def _can_be_completed(visited, x, odd, left, right, share, r, lists, limit, sigma):
+    """Tell whether an entry of the values to go at piece r keeps the label within the limit."""
+    found = False
+    for y in range(lists.first[r], lists.first[r] + lists.count[r]):
+        if min(left + lists.left[y], right + lists.right[y]) > limit:
+            continue
+        if not disjoint(visited, x, lists.memory, y):
+            continue
+        hits = odd & lists.parity[y]
+        pay = penalty(hits, sigma) if hits else 0.0
+        if pay + least(left + lists.left[y], right + lists.right[y], share) <= limit:
+            found = True
+            break
+    return found
+
+
+@njit(cache=True)
+def _least_to_go(lists):
+    """Return (Q, 2) the least values to go at both ends of each piece, whatever is remembered."""
+    best = np.full((len(lists.first), 2), np.inf)
+    for q in range(len(best)):
+        for y in range(lists.first[q], lists.first[q] + lists.count[q]):
+            best[q, 0] = min(best[q, 0], lists.left[y])
+            best[q, 1] = min(best[q, 1], lists.right[y])
+    return best
+
+
+@njit(cache=True)
+def first_labels(pieces, prices, lists, limit):
+    """Return the Labels of one visit: straight from the depot. lists: values to go, see `ngroutes`."""
+    labels = _empty(len(pieces.a), prices.N.shape[1])
     x = 0
     for q in range(len(pieces.a)):
-        if not alive[1, q] or pieces.ready[q] == np.inf:
+        if pieces.ready[q] == np.inf:
             continue
         u = pieces.target[q]
-        width = pieces.b[q] - pieces.a[q]
-        left = pieces.first[q, 0] - pi[u]
-        right = left + pieces.first[q, 1] * width
-        visited = np.uint64(1) << np.uint64(u)
-        rest = completion[1, q, local_memory(visited, N, u)]
-        bound = _least(left + rest[0], right + rest[1], _share(pieces.ready[q], pieces.a[q], width))
-        if bound <= limit:
-            put(labels, x, visited, q, left, right, pieces.ready[q], -1, bound)
+        left, right = pieces.first[q, 0] - prices.pi[u], pieces.first[q, 1] - prices.pi[u]
+        share = share_before(pieces.ready[q], pieces.a[q], pieces.b[q] - pieces.a[q])
+        labels.visited[x] = 0
+        add(labels.visited, x, u)
+        odd = prices.inside[u]
+        if _can_be_completed(labels.visited, x, odd, left, right, share, q, lists, limit, prices.sigma):
+            labels.odd[x], labels.piece[x], labels.left[x], labels.right[x] = odd, q, left, right
+            labels.early[x], labels.parent[x] = pieces.ready[q], -1
             x += 1
     return select(labels, np.arange(x))
 
 
 @njit(cache=True)
-def extend(old, s, pieces, pi, N, completion, alive, limit, most, budget):
-    """Extend every label of a layer of s visits by every flyable piece, and drop what is dominated.
+def extend(old, pieces, arcs, prices, lists, limit, most, budget):
+    """Extend every label of a layer along every arc, and drop what is dominated.
 
-    Returns (labels, links, complete): the layer of s + 1 visits; links: (Y, 2) pairs (old label, new label) of all
-    extensions within the limit, the dominated ones linked to what dominates them; complete is False if more than `most`
-    labels or `budget` tried extensions were needed, and the labels are then of no use.
+    Returns (labels, links, tried, complete): the layer with one visit more; links: (Y, 2) pairs (old label, new label)
+    of all extensions within the limit, the dominated ones linked to what dominates them; tried: how many extensions
+    were; complete is False if more than `most` labels or `budget` tried extensions were needed, and the labels are then
+    of no use.
 
-    All in one function: handing these arrays to another for every extension makes numba count references each time.
+    All in one function, with arrays unpacked first: numba counts references at each call and attribute otherwise.
     """
-    new, count = empty(_FIRST_SIZE), 0
+    W = prices.N.shape[1]
+    new, count = _empty(_FIRST_SIZE, W), 0
     following = np.empty(_FIRST_SIZE, np.int32)
     heir = np.full(_FIRST_SIZE, -1, np.int32)  # the label that dominates a dropped one
     head = np.full(4 * _FIRST_SIZE, -1, np.int32)
     links, linked, tried = np.empty((_FIRST_SIZE, 2), np.int32), 0, 0
+    a, b, p, v, target, speed = pieces.a, pieces.b, pieces.p, pieces.v, pieces.target, pieces.speed
+    start, heads, leg = arcs.start, arcs.head, arcs.leg
+    pi, inside, sigma = prices.pi, prices.inside, prices.sigma
+    fresh, best = np.zeros((1, W), np.uint64), _least_to_go(lists)
     for x in range(len(old.left)):
-        q, visited = old.piece[x], old.visited[x]
-        a_q, width_q = pieces.a[q], pieces.b[q] - pieces.a[q]
-        start = max(0.0, old.early[x] - a_q)
-        px, py = pieces.p[q, 0] + start * pieces.v[q, 0], pieces.p[q, 1] + start * pieces.v[q, 1]
-        tried += len(pieces.a)
+        q = old.piece[x]
+        a_q, width_q = a[q], b[q] - a[q]
+        since = max(0.0, old.early[x] - a_q)
+        px, py = p[q, 0] + since * v[q, 0], p[q, 1] + since * v[q, 1]
+        tried += start[q + 1] - start[q]
         if tried > budget:
-            return new, links[:0], False
-        for r in range(len(pieces.a)):
-            if not alive[s + 1, r] or pieces.legs[q, r, 0] == np.inf:
+            return new, links[:0], tried, False
+        for k in range(start[q], start[q + 1]):
+            r = heads[k]
+            w = target[r]
+            if has(old.visited, x, w):
                 continue
-            w = pieces.target[r]
-            bit = np.uint64(1) << np.uint64(w)
-            if visited & bit:
-                continue
-            rest = completion[s + 1, r, local_memory(visited | bit, N, w)]
-            if rest[0] == np.inf:
+            width = b[r] - a[r]
+            hits = old.odd[x] & inside[w]
+            pay = penalty(hits, sigma) - pi[w] if hits else -pi[w]
+            left, right = after_leg(
+                leg[k, 0], leg[k, 1], leg[k, 2], old.left[x], old.right[x], width_q, width, a[r] - a_q, speed, since,
+                0.0,
+            )  # fmt: skip
+            if min(left + best[r, 0], right + best[r, 1]) + pay > limit:  # most end here, before any root is taken
                 continue
             early = earliest_meeting(
-                px, py, a_q + start, pieces.p[r, 0], pieces.p[r, 1], pieces.a[r], pieces.v[r, 0], pieces.v[r, 1],
-                pieces.a[r], pieces.b[r], pieces.speed,
-            )  # fmt: skip
+                px, py, a_q + since, p[r, 0], p[r, 1], a[r], v[r, 0], v[r, 1], a[r], b[r], speed
+            )
             if early == np.inf:
                 continue
-            width = pieces.b[r] - pieces.a[r]
-            share = _share(early, pieces.a[r], width)
+            share = share_before(early, a[r], width)
             left, right = after_leg(
-                pieces.legs[q, r, 0], pieces.legs[q, r, 1], pieces.legs[q, r, 2], old.left[x], old.right[x],
-                width_q, width, pieces.a[r] - a_q, pieces.speed, start, share,
+                leg[k, 0], leg[k, 1], leg[k, 2], old.left[x], old.right[x], width_q, width, a[r] - a_q, speed, since,
+                share,
             )  # fmt: skip
-            left -= pi[w]
-            right -= pi[w]
-            bound = _least(left + rest[0], right + rest[1], share)
-            if bound > limit:
+            left += pay
+            right += pay
+            for z in range(W):
+                fresh[0, z] = old.visited[x, z]
+            add(fresh, 0, w)
+            odd = old.odd[x] ^ inside[w]
+            if not _can_be_completed(fresh, 0, odd, left, right, share, r, lists, limit, sigma):
                 continue
             if linked == len(links):
                 links = np.concatenate((links, np.empty_like(links)))
             links[linked, 0] = x
-            slot = slot_of(visited | bit, r, len(head))
-            better = _dominate(
-                new, head[slot], following, heir, count, visited | bit, r, left, right, early, share, pieces
-            )
+            slot = _slot_of(fresh, 0, r, len(head))
+            better = _dominate(new, head[slot], following, heir, count, fresh, r, left, right, early, share, a[r], width)
             if better >= 0:
                 links[linked, 1] = better
                 linked += 1
@@ -116,35 +188,59 @@ def extend(old, s, pieces, pi, N, completion, alive, limit, most, budget):
             linked += 1
             if count == len(new.left):
                 if count >= most:
-                    return new, links[:0], False
-                new = grown(new)
+                    return new, links[:0], tried, False
+                new = _grown(new)
                 following = np.concatenate((following, np.empty_like(following)))
                 heir = np.concatenate((heir, np.full(len(heir), -1, np.int32)))
-                head = rehash(new, count, 4 * len(new.left), following)
-                slot = slot_of(visited | bit, r, len(head))
-            put(new, count, visited | bit, r, left, right, early, x, bound)
+                head = _rehash(new, count, 4 * len(new.left), following)
+                slot = _slot_of(fresh, 0, r, len(head))
+            for z in range(W):
+                new.visited[count, z] = fresh[0, z]
+            new.odd[count], new.piece[count], new.left[count], new.right[count] = odd, r, left, right
+            new.early[count], new.parent[count] = early, x
             following[count] = head[slot]
             head[slot] = count
             count += 1
-    return _compact(new, count, heir, links[:linked])
+    labels, links = _compact(new, count, heir, links[:linked])
+    return labels, links, tried, True
 
 
 @njit(cache=True)
-def _dominate(new, y, following, heir, count, visited, r, left, right, early, share, pieces):
+def _slot_of(visited, x, piece, size):
+    """Return where in a table of `size`, a power of 2, the labels of a set and piece are chained."""
+    key = np.uint64(piece) * np.uint64(0xC2B2AE3D27D4EB4F)
+    for w in range(visited.shape[1]):
+        key = (key ^ visited[x, w]) * np.uint64(0x9E3779B97F4A7C15)
+        key ^= key >> np.uint64(29)
+    return np.int64(key & np.uint64(size - 1))
+
+
+@njit(cache=True)
+def _rehash(labels, count, size, following):
+    """Return a table of `size` with the chains of the first `count` labels, linked by `following`."""
+    head = np.full(size, -1, np.int32)
+    for y in range(count):
+        slot = _slot_of(labels.visited, y, labels.piece[y], size)
+        following[y] = head[slot]
+        head[slot] = y
+    return head
+
+
+@njit(cache=True)
+def _dominate(new, y, following, heir, count, visited, r, left, right, early, share, start, width):
     """Return a label of the chain from y that dominates the candidate, or -1; what the candidate dominates gets it
     as heir."""
-    start, width = pieces.a[r], pieces.b[r] - pieces.a[r]
     value = left + (right - left) * share
     x = y
     while x >= 0:
-        if heir[x] < 0 and new.piece[x] == r and new.visited[x] == visited:
+        if heir[x] < 0 and new.piece[x] == r and same(new.visited, x, visited, 0):
             there = new.left[x] + (new.right[x] - new.left[x]) * share
             if new.early[x] <= early + _EPS and there <= value + _EPS and new.right[x] <= right + _EPS:
                 return x
         x = following[x]
     while y >= 0:
-        if heir[y] < 0 and new.piece[y] == r and new.visited[y] == visited and early <= new.early[y]:
-            later = _share(new.early[y], start, width)
+        if heir[y] < 0 and new.piece[y] == r and same(new.visited, y, visited, 0) and early <= new.early[y]:
+            later = share_before(new.early[y], start, width)
             there = new.left[y] + (new.right[y] - new.left[y]) * later
             if left + (right - left) * later <= there and right <= new.right[y]:
                 heir[y] = count
@@ -163,30 +259,23 @@ def _compact(new, count, heir, links):
         while heir[x] >= 0:
             x = heir[x]
         links[y, 1] = place[x]
-    return select(new, keep), links, True
+    return select(new, keep), links
 
 
 @njit(cache=True)
-def closings(labels, pieces, others):
-    """Return (bound, cost) of closing each label with a flight home, infinite if it would come too late.
-
-    others: least reduced cost of the other routes. cost is the route's reduced cost alone.
-    """
-    bound, cost = np.full(len(labels.left), np.inf), np.full(len(labels.left), np.inf)
-    if others == np.inf:
-        return bound, cost
+def closings(labels, pieces):
+    """Return (X,) the reduced cost of each label's route with its flight home, infinite if it would come too late."""
+    cost = np.full(len(labels.left), np.inf)
     for x in range(len(labels.left)):
         q = labels.piece[x]
+        if pieces.last[q, 0] == np.inf:
+            continue
         start = max(0.0, labels.early[x] - pieces.a[q])
         home = earliest_meeting(
             pieces.p[q, 0] + start * pieces.v[q, 0], pieces.p[q, 1] + start * pieces.v[q, 1], pieces.a[q] + start,
             pieces.depot[0], pieces.depot[1], 0.0, 0.0, 0.0, 0.0, pieces.horizon, pieces.speed,
         )  # fmt: skip
-        if home == np.inf:
-            continue
-        width = pieces.b[q] - pieces.a[q]
-        left = labels.left[x] + pieces.last[q, 0]
-        right = labels.right[x] + pieces.last[q, 0] + pieces.last[q, 1] * width
-        cost[x] = _least(left, right, _share(labels.early[x], pieces.a[q], width))
-        bound[x] = cost[x] + others
-    return bound, cost
+        if home < np.inf:
+            share = share_before(labels.early[x], pieces.a[q], pieces.b[q] - pieces.a[q])
+            cost[x] = least(labels.left[x] + pieces.last[q, 0], labels.right[x] + pieces.last[q, 1], share)
+    return cost

@@ -1,15 +1,21 @@
-"""Set partitioning: choose at most m routes that serve each target once, at least total cost (HiGHS through scipy)."""
+"""Set partitioning: choose at most m routes that serve each target once, at least total cost (HiGHS)."""
 
 from typing import NamedTuple
 
+import highspy
 import numpy as np
-from scipy import optimize, sparse
+from scipy import sparse
+
+#: HiGHS's answers hold to within its tolerances, 1e-9 of the unit for each row
+_ACCURACY = 1e-8
+#: columns that the linear program begins with, and takes in at once
+_MORE = 1000
 
 
 class Relaxed(NamedTuple):
-    """The linear relaxation. bound: proved lower bound on every choice, infinite if there is none; support: columns
-    at a positive level; dual: (n,) prices of the targets; slack: (J,) by how much each column's cost may grow before
-    every choice with it costs more than the limit (negative: it does already).
+    """The linear relaxation. bound: proved lower bound on every choice; support: columns at a positive level; dual:
+    (n,) prices of the targets; slack: (J,) by how much each column's cost may grow before every choice with it costs
+    more than the limit (negative: it does already).
     """
 
     bound: float
@@ -18,49 +24,76 @@ class Relaxed(NamedTuple):
     slack: np.ndarray
 
 
-def relax_choice(members, cost, n_agents, limit):
-    """Return the Relaxed choice of columns; members: (n, J) sparse 0/1 matrix, targets by columns; cost: (J,). With one
-    agent all columns have to be whole tours.
+def relax_choice(members, cost, n_agents, limit, unit, time_limit=np.inf):
+    """Return the Relaxed choice of columns, None if there was no time; members: (n, J) sparse 0/1 matrix, targets by
+    columns; cost: (J,); limit: choices that cost more are of no interest.
 
+    The linear program begins with few columns, and takes in those of negative reduced cost until there is none.
     Whatever the prices with a fleet price <= 0, a choice with column j costs at least
     sum(dual) + m * fleet + reduced cost of j + (m - 1) * (the least reduced cost, if negative).
     """
     n, J = members.shape
-    none = np.zeros(0, dtype=int)
-    if J == 0:
-        return Relaxed(np.inf, none, np.zeros(n), np.zeros(0))
-    if n_agents == 1:  # every column serves all targets
-        cheapest = np.argmin(cost)
-        return Relaxed(cost[cheapest], np.array([cheapest]), np.zeros(n), limit - cost)
-    fleet_row = sparse.csr_matrix(np.ones((1, J)))
-    answer = optimize.linprog(
-        cost, A_ub=fleet_row, b_ub=[n_agents], A_eq=members, b_eq=np.ones(n), bounds=(0, None), method="highs"
-    )
-    if answer.status == 2:
-        return Relaxed(np.inf, none, np.zeros(n), np.full(J, -np.inf))
-    dual, fleet = answer.eqlin.marginals, min(answer.ineqlin.marginals[0], 0.0)
-    reduced = cost - members.T @ dual - fleet
-    least = min(reduced.min(), 0.0)
+    each = cost / np.diff(members.indptr)  # for each target served
+    active = np.argsort(each, kind="stable")[:_MORE]
+    while True:
+        highs = _model(members[:, active], cost[active], n_agents, limit, unit, time_limit)
+        highs.run()
+        if highs.getModelStatus() != highspy.HighsModelStatus.kOptimal:
+            return None
+        answer = highs.getSolution()
+        dual = np.array(answer.row_dual) * unit
+        dual, fleet = dual[:n], min(dual[n], 0.0)
+        reduced = cost - members.T @ dual - fleet
+        more = np.setdiff1d(np.flatnonzero(reduced < -_ACCURACY * unit), active)
+        if not len(more):
+            break
+        active = np.r_[active, more[np.argsort(reduced[more], kind="stable")[:_MORE]]]
+    least = min(reduced.min(initial=0.0), 0.0)
     base = dual.sum() + n_agents * fleet
     slack = limit - (base + (n_agents - 1) * least + reduced)
-    return Relaxed(base + n_agents * least, np.flatnonzero(answer.x > 1e-7), dual, slack)
+    support = active[np.array(answer.col_value)[: len(active)] > 1e-7]
+    return Relaxed(base + n_agents * least, support, dual, slack)
 
 
-def choose(members, cost, n_agents, time_limit=None):
-    """Return (bound, chosen): a proved lower bound on the cost of every choice, infinite if there is none, and the
-    columns of a best one found, None without."""
+def choose(members, cost, n_agents, limit, unit, time_limit=np.inf):
+    """Return (bound, chosen): a proved lower bound on the cost of every choice, no more than the limit, and the columns
+    of a best one found, None without one below the limit."""
     n, J = members.shape
     if J == 0:
-        return np.inf, None
-    if n_agents == 1:
-        return np.min(cost), np.array([np.argmin(cost)])
-    rows = sparse.vstack([members, sparse.csr_matrix(np.ones((1, J)))], format="csc")
-    rule = optimize.LinearConstraint(rows, np.r_[np.ones(n), 0.0], np.r_[np.ones(n), n_agents])
-    options = {"mip_rel_gap": 1e-9}
-    if time_limit is not None:
-        options["time_limit"] = max(time_limit, 0.01)
-    answer = optimize.milp(cost, constraints=rule, integrality=1, bounds=optimize.Bounds(0, 1), options=options)
-    if answer.status == 2:
-        return np.inf, None
-    bound = -np.inf if answer.mip_dual_bound is None else answer.mip_dual_bound
-    return bound, None if answer.x is None else np.flatnonzero(answer.x > 0.5)
+        return limit, None
+    highs = _model(members, cost, n_agents, limit, unit, time_limit)
+    highs.changeColsIntegrality(J, np.arange(J, dtype=np.int32), np.full(J, highspy.HighsVarType.kInteger))
+    for name in ("mip_rel_gap", "mip_abs_gap"):
+        highs.setOptionValue(name, 0.1 * _ACCURACY)
+    highs.run()
+    bound = highs.getInfo().mip_dual_bound
+    bound = (bound - _ACCURACY) * unit if np.isfinite(bound) else -np.inf
+    level = np.array(highs.getSolution().col_value)
+    chosen = np.flatnonzero(level[:J] > 0.5) if len(level) else np.zeros(0, int)
+    whole = len(chosen) <= n_agents and (members[:, chosen].sum(axis=1) == 1.0).all()
+    return min(bound, limit), chosen if whole and len(chosen) else None
+
+
+def _model(members, cost, n_agents, limit, unit, time_limit):
+    """Return HiGHS with the choice; a target may stay unserved at the price of more than the limit, so that there is
+    always an answer."""
+    n, J = members.shape
+    matrix = sparse.hstack(
+        [sparse.vstack([members, np.ones((1, J))]), sparse.eye(n + 1, n)], format="csc"
+    )  # fmt: skip
+    lp = highspy.HighsLp()
+    lp.num_col_, lp.num_row_ = J + n, n + 1
+    lp.col_cost_ = np.r_[cost, np.full(n, 2.0 * abs(limit) + unit)] / unit
+    lp.col_lower_, lp.col_upper_ = np.zeros(J + n), np.full(J + n, highspy.kHighsInf)
+    lp.row_lower_ = np.r_[np.ones(n), -highspy.kHighsInf]
+    lp.row_upper_ = np.r_[np.ones(n), float(n_agents)]
+    lp.a_matrix_.format_ = highspy.MatrixFormat.kColwise
+    lp.a_matrix_.start_, lp.a_matrix_.index_, lp.a_matrix_.value_ = matrix.indptr, matrix.indices, matrix.data
+    highs = highspy.Highs()
+    for name, value in (("output_flag", False), ("threads", 1), ("random_seed", 0)):
+        highs.setOptionValue(name, value)
+    for name in ("primal_feasibility_tolerance", "dual_feasibility_tolerance", "mip_feasibility_tolerance"):
+        highs.setOptionValue(name, 0.1 * _ACCURACY)
+    highs.setOptionValue("time_limit", max(min(time_limit, 1e9), 1e-3))
+    highs.passModel(lp)
+    return highs

@@ -1,9 +1,4 @@
-"""Pieces of segments, and an affine minorant of the flying distance between any two of them.
-
-A piece is a part [a, b] of a segment. On a pair of pieces (q, r) the distance d(t_q, t_r) = ||p_r(t_r) - p_q(t_q)|| is
-jointly convex, so its tangent plane at the two middles lies below it everywhere; the error is of second order in the
-lengths of the pieces. All bounds of the exact solver are built from these planes, so they hold for every real tour.
-"""
+"""Pieces of segments, and the arcs between them: the time-expanded graph on which the exact solver's bounds live."""
 
 import math
 from typing import NamedTuple
@@ -12,16 +7,15 @@ import numpy as np
 from numba import njit
 
 from ..motion import TIME_SLACK, earliest_meeting
+from .legs import tangent
 
 
 class Pieces(NamedTuple):
-    """Q pieces ordered by segment, then time, and their legs.
+    """Q pieces, ordered by segment, then time.
 
     segment, target: (Q,) node of the graph and target; a, b: (Q,) start and end in s; p, v: (Q, 2) position at a,
-    velocity. legs: (Q, Q, 3) for each pair (q, r) the minorant's value at (a_q, a_r), its slope in t_q and its slope
-    in t_r; the value is infinite where no agent can fly from q to r in time.
-    first, last: (Q, 2) the same for the legs from and to the depot: value at a, slope.
-    ready: (Q,) earliest time at which an agent from the depot can be at q, infinite if never.
+    velocity. first, last: (Q, 2) minorants of the legs from and to the depot: value at a, at b; infinite where
+    they cannot be flown. ready: (Q,) earliest time at which an agent from the depot can be at q, infinite if never.
     depot: (2,); speed: v_max; horizon: T.
     """
 
@@ -31,13 +25,25 @@ class Pieces(NamedTuple):
     b: np.ndarray
     p: np.ndarray
     v: np.ndarray
-    legs: np.ndarray
     first: np.ndarray
     last: np.ndarray
     ready: np.ndarray
     depot: np.ndarray
     speed: float
     horizon: float
+
+
+class Arcs(NamedTuple):
+    """The pairs of pieces that an agent can fly, by tail: those from q are start[q]:start[q + 1].
+
+    start: (Q + 1,); tail, head: (A,); leg: (A, 3) of each the minorant's value at (a_q, a_r), and its slopes in t_q and
+    in t_r.
+    """
+
+    start: np.ndarray
+    tail: np.ndarray
+    head: np.ndarray
+    leg: np.ndarray
 
 
 def make_pieces(graph, segment, a, b, targets):
@@ -47,11 +53,10 @@ def make_pieces(graph, segment, a, b, targets):
     p = graph.p_lo[segment] + (a - graph.t_lo[segment])[:, None] * v
     number = np.full(graph.n_targets, -1)
     number[list(targets)] = np.arange(len(targets))
-    target = number[graph.tau[segment]]
     depot = graph.p_lo[graph.s].copy()
-    legs = _legs(target, a, b, p, v, graph.max_speed)
     first, last, ready = _depot_legs(a, b, p, v, depot, graph.max_speed, graph.horizon)
-    return Pieces(segment, target, a, b, p, v, legs, first, last, ready, depot, graph.max_speed, graph.horizon)
+    target = number[graph.tau[segment]]
+    return Pieces(segment, target, a, b, p, v, first, last, ready, depot, graph.max_speed, graph.horizon)
 
 
 def even_cuts(graph, segments, width):
@@ -65,35 +70,26 @@ def even_cuts(graph, segments, width):
     return np.array(segment), np.array(a), np.array(b)
 
 
-@njit(cache=True)
-def _tangent(dx, dy, vqx, vqy, vrx, vry):
-    """Return the distance |d| and its slopes in the time at the tail and at the head."""
-    d = math.hypot(dx, dy)
-    if d == 0.0:
-        return 0.0, 0.0, 0.0
-    return d, -(dx * vqx + dy * vqy) / d, (dx * vrx + dy * vry) / d
+def finer(pieces, used, width, centre):
+    """Return (segment, a, b, origin): the pieces `used` (indices) cut into parts of about `width` s, and which piece
+    each is of. centre: {segment: visit time in s}, to lie in the middle of a part."""
+    rows = []
+    for q in used:
+        for start, end in _split(pieces.a[q], pieces.b[q], width, centre.get(int(pieces.segment[q]))):
+            rows.append((pieces.segment[q], start, end, q))
+    return tuple(np.array(part) for part in zip(*rows))
 
 
-@njit(cache=True)
-def _legs(target, a, b, p, v, speed):
-    legs = np.full((len(a), len(a), 3), np.inf)
-    for q in range(len(a)):
-        for r in range(len(a)):
-            if target[q] == target[r]:
-                continue
-            meeting = earliest_meeting(
-                p[q, 0], p[q, 1], a[q], p[r, 0], p[r, 1], a[r], v[r, 0], v[r, 1], a[r], b[r], speed
-            )
-            if meeting == np.inf:
-                continue
-            hq, hr = 0.5 * (b[q] - a[q]), 0.5 * (b[r] - a[r])
-            dx = p[r, 0] + hr * v[r, 0] - p[q, 0] - hq * v[q, 0]
-            dy = p[r, 1] + hr * v[r, 1] - p[q, 1] - hq * v[q, 1]
-            d, in_q, in_r = _tangent(dx, dy, v[q, 0], v[q, 1], v[r, 0], v[r, 1])
-            legs[q, r, 0] = d - in_q * hq - in_r * hr
-            legs[q, r, 1] = in_q
-            legs[q, r, 2] = in_r
-    return legs
+def _split(a, b, width, centre=None):
+    """Return (start, end) pairs that cut [a, b] into parts of about `width`, one of them around `centre` if that is
+    inside."""
+    if centre is None or not a < centre < b:
+        points = np.linspace(a, b, max(1, math.ceil((b - a) / width - 1e-9)) + 1)
+    else:
+        steps = np.arange(math.floor((a - centre) / width), math.ceil((b - centre) / width) + 1) - 0.5
+        inner = centre + steps * width
+        points = np.r_[a, inner[(inner > a + 0.1 * width) & (inner < b - 0.1 * width)], b]
+    return zip(points[:-1], points[1:])
 
 
 @njit(cache=True)
@@ -102,15 +98,101 @@ def _depot_legs(a, b, p, v, depot, speed, horizon):
     first, last, ready = np.full((Q, 2), np.inf), np.full((Q, 2), np.inf), np.full(Q, np.inf)
     for q in range(Q):
         half = 0.5 * (b[q] - a[q])
-        d, _, slope = _tangent(
+        d, _, slope = tangent(
             p[q, 0] + half * v[q, 0] - depot[0], p[q, 1] + half * v[q, 1] - depot[1], 0.0, 0.0, v[q, 0], v[q, 1]
         )
         ready[q] = earliest_meeting(
             depot[0], depot[1], 0.0, p[q, 0], p[q, 1], a[q], v[q, 0], v[q, 1], a[q], b[q], speed
         )
         if ready[q] < np.inf:
-            first[q] = d - slope * half, slope
+            first[q] = d - slope * half, d + slope * half
         home = a[q] + math.hypot(p[q, 0] - depot[0], p[q, 1] - depot[1]) / speed
         if home <= horizon + TIME_SLACK * (1.0 + horizon):
-            last[q] = d - slope * half, slope
+            last[q] = d - slope * half, d + slope * half
     return first, last, ready
+
+
+def all_arcs(pieces):
+    """Return the Arcs between pieces of different targets that an agent can fly in time."""
+    Q = len(pieces.a)
+    return _make_arcs(pieces, np.zeros(Q, np.int64), np.array([0, Q]), np.arange(Q))
+
+
+def finer_arcs(pieces, origin, parents):
+    """Return the Arcs between `pieces`, parts of the pieces `origin` (Q,) of another set, along that set's Arcs."""
+    kin = np.argsort(origin, kind="stable")  # the parts of each parent
+    first_kin = np.searchsorted(origin[kin], np.arange(len(parents.start)))
+    start = np.r_[0, np.cumsum(np.diff(first_kin)[parents.head])]
+    heads = _concatenated(kin, first_kin, parents.head)
+    return _make_arcs(pieces, origin, start[parents.start], heads)
+
+
+@njit(cache=True)
+def _concatenated(kin, first_kin, parents):
+    count = 0
+    for r in parents:
+        count += first_kin[r + 1] - first_kin[r]
+    heads = np.empty(count, np.int64)
+    x = 0
+    for r in parents:
+        for y in range(first_kin[r], first_kin[r + 1]):
+            heads[x] = kin[y]
+            x += 1
+    return heads
+
+
+@njit(cache=True)
+def _make_arcs(pieces, group, start, heads):
+    """Return the Arcs from each piece q to those of heads[start[group[q]] : start[group[q] + 1]] it can reach."""
+    Q = len(pieces.a)
+    begin = np.zeros(Q + 1, np.int64)
+    for count_only in (True, False):
+        if not count_only:
+            tail, head = np.empty(begin[Q], np.int32), np.empty(begin[Q], np.int32)
+            leg = np.empty((begin[Q], 3))
+        else:
+            tail, head, leg = np.empty(0, np.int32), np.empty(0, np.int32), np.empty((0, 3))
+        k = 0
+        for q in range(Q):
+            for x in range(start[group[q]], start[group[q] + 1]):
+                r = heads[x]
+                if _flyable(pieces, q, r):
+                    if not count_only:
+                        tail[k], head[k] = q, r
+                        _set_leg(pieces, q, r, leg[k])
+                    k += 1
+            begin[q + 1] = k
+    return Arcs(begin, tail, head, leg)
+
+
+@njit(cache=True)
+def _flyable(pieces, q, r):
+    if pieces.target[q] == pieces.target[r] or pieces.ready[q] == np.inf or pieces.last[r, 0] == np.inf:
+        return False
+    # Targets are slower than agents: who cannot be at the end of r from the start of q can never be at r.
+    available = pieces.b[r] - pieces.a[q]
+    if available < -TIME_SLACK * (1.0 + abs(pieces.b[r])):
+        return False
+    width = pieces.b[r] - pieces.a[r]
+    d = math.hypot(
+        pieces.p[r, 0] + width * pieces.v[r, 0] - pieces.p[q, 0],
+        pieces.p[r, 1] + width * pieces.v[r, 1] - pieces.p[q, 1],
+    )
+    return d <= pieces.speed * (available + TIME_SLACK * (1.0 + abs(pieces.b[r])))
+
+
+@njit(cache=True)
+def _set_leg(pieces, q, r, leg):
+    hq, hr = 0.5 * (pieces.b[q] - pieces.a[q]), 0.5 * (pieces.b[r] - pieces.a[r])
+    d, in_q, in_r = tangent(
+        pieces.p[r, 0] + hr * pieces.v[r, 0] - pieces.p[q, 0] - hq * pieces.v[q, 0],
+        pieces.p[r, 1] + hr * pieces.v[r, 1] - pieces.p[q, 1] - hq * pieces.v[q, 1],
+        pieces.v[q, 0], pieces.v[q, 1], pieces.v[r, 0], pieces.v[r, 1],
+    )  # fmt: skip
+    leg[0], leg[1], leg[2] = d - in_q * hq - in_r * hr, in_q, in_r
+
+
+def select(arcs, alive):
+    """Return the Arcs that are marked in alive (A,)."""
+    ends = np.r_[0, np.cumsum(alive)]
+    return Arcs(ends[arcs.start], arcs.tail[alive], arcs.head[alive], arcs.leg[alive])

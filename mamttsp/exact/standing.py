@@ -12,30 +12,42 @@ _NEGLIGIBLE = 1e-8
 
 
 class Standing:
-    """incumbent: the best tours; bound: proved lower bound, infinite if nothing below the cutoff can be; both hold at
-    every moment.
+    """incumbent: the best tours; bound: proved lower bound; both hold at every moment. gap: relative gap to close.
 
-    gap: relative gap to close; cutoff: value from which solutions are of no interest; `bound` may then stop there.
+    No agent flies further than v_max T, so without tours no solution is longer than m v_max T; a bound that reaches
+    this proves that there is none.
     """
 
-    def __init__(self, graph, n_agents, gap, cutoff=math.inf):
-        self.incumbent, self.bound, self.cutoff, self._gap = Incumbent(graph, n_agents), 0.0, cutoff, gap
+    def __init__(self, graph, n_agents, gap):
+        self.incumbent, self.bound, self._gap = Incumbent(graph, n_agents), 0.0, gap
+        self._longest = n_agents * graph.max_speed * graph.horizon * (1.0 + 1e-6)
         self._negligible = _NEGLIGIBLE * graph.size
 
     @property
     def upper(self):
-        return min(self.incumbent.objective, self.cutoff)
+        return min(self.incumbent.objective, self._longest)
 
     @property
     def limit(self):
         """Solutions at or above this value need not be looked at: the gap may stay that wide."""
+        if not self.incumbent.routes:
+            return self._longest
         return self.upper * (1.0 - 0.5 * self._gap) - 0.5 * self._negligible
 
     def closed(self):
+        if not self.incumbent.routes:
+            return self.bound >= self._longest
         return self.bound >= self.upper * (1.0 - self._gap) - self._negligible
 
+    @property
+    def infeasible(self):
+        return self.closed() and not self.incumbent.routes
+
     def raise_bound(self, bound):
-        self.bound = min(max(self.bound, bound * (1.0 - _SAFETY)), self.upper)
+        """Take a bound that holds for all solutions below the limit: above that it says nothing."""
+        capped = min(bound, self.limit)
+        safe = capped if capped == self.limit else capped - _SAFETY * abs(capped)
+        self.bound = min(max(self.bound, safe), self.upper)
 
     def figures(self):
         """Return (objective, bound, relative gap), the objective None without tours."""

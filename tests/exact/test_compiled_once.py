@@ -27,5 +27,5 @@ def _versions():
 def test_refined_rounds_and_several_agents_use_what_the_first_round_compiled():
     _versions()  # fills the cache: what compiled functions call among themselves is no longer counted
     versions = _versions()
-    assert versions["mamttsp.exact.relaxed.backward"] == 1
+    assert versions["mamttsp.exact.ngroutes.values_to_go"] == 1
     assert [name for name, n in versions.items() if n > 1] == []

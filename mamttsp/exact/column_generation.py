@@ -1,0 +1,168 @@
+"""Column generation: prices that raise the Lagrangian bound, from a restricted master problem over ng-routes.
+
+The master is stabilised by a box around the best prices so far (boxstep): targets may be served at the upper price of
+the box or given back at the lower one.
+"""
+
+import dataclasses
+
+import numpy as np
+
+from . import ngsets
+from .cuts import Cuts
+from .evaluation import evaluate
+from .restricted_master import RestrictedMaster
+
+
+@dataclasses.dataclass
+class Columns:
+    """Columns of the master: routes as sequences of targets and of segments, and their lengths."""
+
+    routes: list
+    segments: list
+    lengths: list
+
+    def keep(self, which):
+        for name in ("routes", "segments", "lengths"):
+            setattr(self, name, [entry for entry, kept in zip(getattr(self, name), which) if kept])
+
+
+class ColumnGeneration:
+    """Column generation over one network after another; what it knows of routes and prices is taken along.
+
+    best: the Evaluation of the greatest bound over the present network, ng-sets and cuts, None before the first.
+    """
+
+    def __init__(self, network, n_targets, n_agents, pi, parameters, unit):
+        self.network, self.n, self.m, self.parameters, self.unit = network, n_targets, n_agents, parameters, unit
+        self.pi, self.cuts, self.best, self.support = pi, Cuts.none(n_targets), None, []
+        self.N = ngsets.nearest(network.pieces, network.arcs, n_targets, parameters.ng_size)
+        self.columns = Columns([], [], [])
+        self._fresh_master()
+
+    def _fresh_master(self):
+        self.master = RestrictedMaster(self.n, self.m, len(self.cuts.rows), self.unit)
+        self._add(self.columns.routes, self.columns.lengths)
+
+    def _add(self, routes, lengths):
+        visits = np.array([np.bincount(route, minlength=self.n) for route in routes], dtype=float).reshape(-1, self.n)
+        self.master.add(visits, lengths, self.cuts.paid(routes))
+
+    @property
+    def tolerance(self):
+        """A change of a value that counts as none."""
+        return 1e-9 * self.unit
+
+    def offer(self, routes, segments, lengths):
+        """Add columns: sequences of targets and of segments, and their lengths."""
+        self.columns.routes += routes
+        self.columns.segments += segments
+        self.columns.lengths += lengths
+        self._add(routes, lengths)
+
+    def offer_incumbent(self, incumbent):
+        """Add the incumbent's routes."""
+        routes = [route for route in incumbent.routes if route not in self.columns.segments]
+        if routes:
+            tau = incumbent.graph.tau
+            self.offer([tau[list(r)] for r in routes], routes, [incumbent.timed(r)[0] for r in routes])
+
+    def moved(self, network):
+        """Go on over another network; lengths of columns over the old one are forgotten."""
+        self.network, self.best = network, None
+        self.columns = Columns([], [], [])
+        self._fresh_master()
+
+    def narrowed(self, network):
+        """Go on over a part of the present network."""
+        self.network = network
+
+    def elementary(self, least, most):
+        """Return up to `most` routes of segments among the columns that repeat no target and make at least so many
+        visits, those of least reduced cost at the best prices first."""
+        columns, pi = self.columns, self.best.pi
+        known = [j for j, r in enumerate(columns.routes) if least <= len(r) == len(np.unique(r))]
+        known.sort(key=lambda j: columns.lengths[j] - pi[columns.routes[j]].sum())
+        return list(dict.fromkeys(columns.segments[j] for j in known))[:most]
+
+    def grow(self, routes):
+        """Let the ng-sets grow from the cycles in these routes; return whether they did."""
+        longest = min((_shortest_cycle(route) for route in routes), default=self.n)
+        N = ngsets.grown(routes, self.N, max(longest, self.parameters.longest_cycle))
+        if (N == self.N).all():
+            return False
+        self.N = N
+        self.columns.keep([not ngsets.forbidden(route, N) for route in self.columns.routes])
+        self._fresh_master()
+        return True
+
+    def add_cuts(self, rows, memory):
+        self.cuts, self.best = self.cuts.with_more(rows, memory), None
+        self._fresh_master()
+
+    def evaluate(self, pi, cuts):
+        return evaluate(self.network, ngsets.as_words(self.N), pi, cuts, self.m, self.tolerance)
+
+    def run(self, limit, clock, on_bound):
+        """Raise the bound until the master agrees with it, it reaches the limit, or time is up; best is then set.
+
+        on_bound: told each Evaluation.
+        """
+        p = self.parameters
+        pi, cuts = self.pi, self.cuts
+        box, predicted = p.box * max(np.abs(pi).mean(), 1e-3 * self.unit), np.inf
+        thinnest, idle = 1e-4 * box, 0
+        for _ in range(p.most_steps):
+            evaluation = self.evaluate(pi, cuts)
+            on_bound(evaluation)
+            bound, idle = evaluation.bound, idle + 1
+            if self.best is None or bound > self.best.bound:
+                if self.best is not None and bound > self.best.bound + 0.3 * predicted:
+                    box *= 1.5
+                self.best, idle = evaluation, 0
+            elif bound < self.best.bound - 2.0 * predicted:
+                box *= 0.6
+            if self.best.bound >= limit or idle > p.idle_steps or clock.out():
+                break
+            routes, endless = evaluation.columns(p.columns, p.columns_each, 3 * self.n)
+            pieces = evaluation.pieces
+            if endless and self.grow([pieces.target[route] for route in endless]):
+                continue
+            # Values are tight near the best prices; far from them they may prove less of the same route.
+            known = self.best if self.best.network is self.network else evaluation
+            lengths = [max(evaluation.length(route), known.length(route)) for route in routes]
+            segments = [tuple(int(i) for i in pieces.segment[route]) for route in routes]
+            self.offer([pieces.target[route] for route in routes], segments, lengths)
+            duals = self.master.solve(self.best.pi, box, clock.seconds)
+            if duals is None:
+                break
+            if evaluation is not self.best and np.allclose(duals.pi, pi, atol=1e-9 * self.unit):
+                box *= 0.4  # these columns prove more than L did, and cannot lead away from here
+            predicted = duals.value - self.best.bound
+            self.support = [
+                (self.columns.routes[j], duals.level[j]) for j in np.flatnonzero(duals.level > 1e-6)
+            ]
+            if predicted <= p.converged * max(limit - self.best.bound, 0.0) + 1e-6 * self.unit:
+                if duals.outside < 1e-6 or box < thinnest:
+                    break
+                box *= 4.0
+            pi, cuts = duals.pi, self.cuts.with_prices(duals.sigma)
+            if len(self.columns.routes) > p.most_columns:
+                self._forget(duals.level)
+        self.pi, self.cuts = self.best.pi, self.best.cuts
+
+    def _forget(self, level):
+        """Keep the columns of the support and the latest ones."""
+        keep = level > 1e-9
+        keep[-self.parameters.most_columns // 2 :] = True
+        self.columns.keep(keep)
+        self.master.keep(keep)
+
+
+def _shortest_cycle(route):
+    last, least = {}, len(route)
+    for k, u in enumerate(route):
+        if u in last:
+            least = min(least, k - last[u])
+        last[u] = k
+    return least

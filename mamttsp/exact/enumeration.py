@@ -1,0 +1,142 @@
+"""Route enumeration: all elementary routes that a solution within the limit may use, from the labels of `labels`."""
+
+import numpy as np
+from scipy import sparse
+
+from . import labels as lab
+from .sets import members
+
+
+class Enumeration:
+    """All labels that can be completed within `slack` of reduced cost, grown from the depot over an evaluation's arcs.
+
+    complete: False if it needed more than `most` labels or `budget` extensions; it then proves nothing.
+    One column for each closed route: visited (J, W), cost (J,) lower bound on its length, reduced (J,) its least
+    reduced cost. depth, label: (J,) where it ends.
+    """
+
+    def __init__(self, evaluation, slack, n_targets, whole, most, budget, out_of_time):
+        self.pieces, self.n, self.complete, self.layers, self.links = evaluation.pieces, n_targets, True, [], []
+        self._grow(evaluation, slack, most, budget, out_of_time)
+        if self.complete:
+            self._collect(evaluation, slack, whole)
+
+    @property
+    def size(self):
+        return sum(len(layer.left) for layer in self.layers)
+
+    def _grow(self, evaluation, slack, most, budget, out_of_time):
+        pieces, prices, lists = evaluation.pieces, evaluation.prices, evaluation.lists
+        self.layers.append(lab.first_labels(pieces, prices, lists, slack))
+        while len(self.layers) < self.n and len(self.layers[-1].left):
+            room = max(float(most - self.size), 0.0)
+            layer, links, tried, self.complete = lab.extend(
+                self.layers[-1], pieces, evaluation.arcs, prices, lists, slack, room, float(budget)
+            )
+            budget -= tried
+            self.complete = self.complete and not out_of_time()
+            if not self.complete:
+                return
+            self.layers.append(layer)
+            self.links.append(links)
+
+    def _collect(self, evaluation, slack, whole):
+        """Gather the closed routes of all layers as columns; whole: only those that serve all targets."""
+        found = []
+        for s, layer in enumerate(self.layers, start=1):
+            if whole and s < self.n:
+                continue
+            cost = lab.closings(layer, self.pieces)
+            hits = np.flatnonzero(cost <= slack)
+            found.append((np.full(len(hits), s), hits, layer.visited[hits], cost[hits]))
+        if not found:
+            found = [(np.zeros(0, int), np.zeros(0, int), self.layers[0].visited[:0], np.zeros(0))]
+        self.depth, self.label, self.visited, self.reduced = (np.concatenate(part) for part in zip(*found))
+        self.members = membership(self.visited, self.n)
+        self.cost = self.reduced + self.members.T @ evaluation.prices.pi + evaluation.cuts.price_of(self.members)
+
+    def route(self, column):
+        """Return the pieces of a column's route, in the order of its visits."""
+        x, route = self.label[column], []
+        for layer in reversed(self.layers[: self.depth[column]]):
+            route.append(layer.piece[x])
+            x = layer.parent[x]
+        return route[::-1]
+
+    def segments(self, column):
+        """Return the segments of a column's route, a tuple of nodes of the graph in the order of its visits."""
+        return tuple(int(i) for i in self.pieces.segment[self.route(column)])
+
+    def lead(self, alive):
+        """Keep only the columns marked `alive` (J,), and the labels that lead to them, themselves or through what
+        dominates them."""
+        self.leads = [None] * len(self.layers)
+        for s in range(len(self.layers), 0, -1):
+            here = np.zeros(len(self.layers[s - 1].left), dtype=bool)
+            here[self.label[alive & (self.depth == s)]] = True
+            if s < len(self.layers):
+                links = self.links[s - 1]
+                links = links[self.leads[s][links[:, 1]]]
+                here[links[:, 0]] = True
+                self.links[s - 1] = links[np.argsort(links[:, 1], kind="stable")]  # by head, to walk back
+            self.leads[s - 1] = here
+        self.alive = alive
+
+    def used_arcs(self, arcs):
+        """Return (A,) which arcs lead to columns alive."""
+        pair = arcs.tail.astype(np.int64) * len(self.pieces.a) + arcs.head  # in order, as arcs are
+        used = np.zeros(len(arcs.head), dtype=bool)
+        order = np.argsort(pair, kind="stable")
+        for s, links in enumerate(self.links):
+            tail, head = self.layers[s].piece[links[:, 0]], self.layers[s + 1].piece[links[:, 1]]
+            mine = np.unique(tail.astype(np.int64) * len(self.pieces.a) + head)
+            used[order[np.searchsorted(pair[order], mine)]] = True
+        return used
+
+    def used_ends(self):
+        """Return (starts, ends), each (Q,): the pieces where routes alive begin and end."""
+        starts, ends = np.zeros((2, len(self.pieces.a)), dtype=bool)
+        starts[self.layers[0].piece[self.leads[0]]] = True
+        for s in np.unique(self.depth):
+            ends[self.layers[s - 1].piece[self.label[self.alive & (self.depth == s)]]] = True
+        return starts, ends
+
+    def sequences(self, columns, most):
+        """Return all sequences of segments along the labels that lead to some columns of one set, or None if there are
+        more than `most`.
+
+        Links lead dominated labels on to what dominates them, so the sequences of dominated labels are among these.
+        """
+        s = self.depth[columns[0]]
+        states = _by_segment({(): self.label[columns]}, self.pieces.segment[self.layers[s - 1].piece])
+        for before in range(s - 2, -1, -1):
+            links = self.links[before]
+            segment = self.pieces.segment[self.layers[before].piece]
+            states = _by_segment({key: _tails(links, heads) for key, heads in states.items()}, segment)
+            if len(states) > most:
+                return None
+        return list(states)
+
+
+def membership(visited, n_targets):
+    """Return the (n, J) sparse 0/1 matrix of targets by sets; visited: (J, W)."""
+    columns = [visited[:, u >> 6] >> np.uint64(u & 63) & np.uint64(1) for u in range(n_targets)]
+    rows = [np.flatnonzero(column) for column in columns]
+    counts = [len(row) for row in rows]
+    index = (np.repeat(np.arange(n_targets), counts), np.concatenate(rows))
+    return sparse.csc_matrix((np.ones(len(index[0])), index), shape=(n_targets, len(visited)))
+
+
+def _tails(links, heads):
+    """Return the labels that are linked to the labels `heads`; links are sorted by their heads."""
+    start, end = np.searchsorted(links[:, 1], heads), np.searchsorted(links[:, 1], heads, side="right")
+    return np.unique(np.concatenate([links[a:b, 0] for a, b in zip(start, end)]))
+
+
+def _by_segment(states, segment):
+    """Split the labels of each state by their segment, and put that before the state's sequence."""
+    return {
+        (int(i), *key): labels[segment[labels] == i]
+        for key, labels in states.items()
+        for i in np.unique(segment[labels])
+    }

@@ -1,0 +1,166 @@
+"""The Lagrangian bound: 'each target once' and the subset-row cuts go into the objective, at prices pi and sigma.
+
+With at most m relaxed routes, L = sum(pi) + sum(sigma) + (least total reduced cost of 1 to m ng-routes) is a lower
+bound on every solution, whatever pi and whatever sigma <= 0. An Evaluation holds it with all that was found on the way.
+"""
+
+import dataclasses
+from typing import NamedTuple
+
+import numpy as np
+
+from . import ngroutes
+from .cuts import Cuts
+from .elimination import arcs_alive
+from .legs import least, share_before
+from .pieces import Arcs, Pieces, all_arcs, finer, finer_arcs, make_pieces, select
+
+
+class Network(NamedTuple):
+    """Pieces and the arcs between them that a better solution may use; starts, ends: (Q,) bool, pieces where its
+    routes may begin and end; ahead, back: both directions of time, see `ngroutes`."""
+
+    pieces: Pieces
+    arcs: Arcs
+    starts: np.ndarray
+    ends: np.ndarray
+    ahead: ngroutes.Side
+    back: ngroutes.Side
+
+
+def make_network(pieces, arcs, starts, ends):
+    """Return the Network; what may not be a start or an end has no leg from or to the depot."""
+    first, last = pieces.first.copy(), pieces.last.copy()
+    first[~starts], last[~ends] = np.inf, np.inf
+    pieces = pieces._replace(first=first, last=last)
+    return Network(pieces, arcs, starts, ends, *ngroutes.sides(pieces, arcs))
+
+
+def first_network(graph, cut, targets):
+    """Return the Network of all arcs between the pieces of `cut`, see `pieces.even_cuts`."""
+    pieces = make_pieces(graph, *cut, targets)
+    every = np.ones(len(pieces.a), dtype=bool)
+    return make_network(pieces, all_arcs(pieces), every, every)
+
+
+def restricted(network, alive, starts, ends):
+    """Return the Network with the arcs alive (A,) alone, and pieces that none of them touches left out."""
+    arcs = select(network.arcs, alive)
+    used = starts & ends
+    used[arcs.tail] = used[arcs.head] = True
+    place = np.cumsum(used) - 1
+    start = np.r_[0, np.cumsum(np.diff(arcs.start)[used])]
+    arcs = Arcs(start, place[arcs.tail].astype(np.int32), place[arcs.head].astype(np.int32), arcs.leg)
+    pieces = network.pieces
+    pieces = Pieces(*(part[used] for part in pieces[:9]), *pieces[9:])
+    return make_network(pieces, arcs, starts[used], ends[used])
+
+
+def refined(network, graph, width, centre, targets):
+    """Return the Network with every piece cut into parts of about `width` s, those of the visit times `centre` among
+    them."""
+    segment, a, b, origin = finer(network.pieces, range(len(network.pieces.a)), width, centre)
+    pieces = make_pieces(graph, segment, a, b, targets)
+    return make_network(pieces, finer_arcs(pieces, origin, network.arcs), network.starts[origin], network.ends[origin])
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class Evaluation:
+    """L at prices pi (n,) and those of the cuts, over a network. bound: L, infinite if there is no ng-route at all;
+    lists: values to go; cheapest: least reduced cost of an ng-route."""
+
+    network: Network
+    N: np.ndarray
+    pi: np.ndarray
+    cuts: Cuts
+    n_agents: int
+    prices: ngroutes.Prices
+    lists: ngroutes.Lists
+    cost: np.ndarray
+    entry: np.ndarray
+
+    @property
+    def pieces(self):
+        return self.network.pieces
+
+    @property
+    def arcs(self):
+        return self.network.arcs
+
+    @property
+    def cheapest(self):
+        return float(self.cost.min(initial=np.inf))
+
+    @property
+    def constant(self):
+        """What all prices are worth, where every target is served once."""
+        return float(self.pi.sum() + self.cuts.sigma.sum())
+
+    @property
+    def bound(self):
+        return self.constant + min(self.cheapest, self.n_agents * self.cheapest)
+
+    def slack(self, limit):
+        """Return the greatest reduced cost that a route of a solution of value at most `limit` may have."""
+        return limit - self.constant - (self.n_agents - 1) * min(self.cheapest, 0.0)
+
+    def columns(self, most, each, longest):
+        """Return (routes, endless): up to `most` cheap ng-routes of pieces that visit different targets, no more than
+        `each` with the same first one; endless: beginnings of such with `longest` or more visits."""
+        routes, endless, seen = [], [], set()
+        begun = np.zeros(len(self.pi), dtype=int)
+        pieces, ahead = self.pieces, self.network.ahead
+        for q in np.argsort(self.cost, kind="stable"):
+            u = pieces.target[q]
+            if not np.isfinite(self.cost[q]) or len(routes) >= most:
+                break
+            if begun[u] >= each:
+                continue
+            route = ngroutes.trace(ahead, self.prices, self.lists, q, self.entry[q], longest)
+            key = tuple(pieces.target[route])
+            if key in seen:
+                continue
+            seen.add(key)
+            begun[u] += 1
+            if len(route) >= longest:
+                endless.append(route)
+                continue
+            routes.append(route)
+        return routes, endless
+
+    def length(self, route):
+        """Return the least length of a route of pieces that the values along it prove at these prices."""
+        pieces, q = self.pieces, route[0]
+        left, right, times = ngroutes.value_along(self.network.ahead, self.prices, route)
+        share = share_before(pieces.ready[q], pieces.a[q], pieces.b[q] - pieces.a[q])
+        value = least(pieces.first[q, 0] + left, pieces.first[q, 1] + right, share)
+        return value + self.pi[pieces.target[route[1:]]].sum() + self.prices.sigma @ times
+
+    def eliminated(self, limit, tolerance):
+        """Return the Network of what lies on a relaxed solution of value at most `limit`."""
+        network, slack = self.network, self.slack(limit)
+        back = _values(network.back, self.prices, tolerance)
+        alive = arcs_alive(network.ahead, self.prices, self.lists, back, slack)
+        back_cost, _ = ngroutes.cheapest_starts(
+            network.pieces._replace(first=network.pieces.last, ready=np.full(len(network.starts), -np.inf)),
+            self.prices, _flipped(back),
+        )  # fmt: skip
+        return restricted(network, alive, network.starts & (self.cost <= slack), network.ends & (back_cost <= slack))
+
+
+def _flipped(lists):
+    return lists._replace(left=lists.right, right=lists.left)
+
+
+def evaluate(network, N, pi, cuts, n_agents, tolerance):
+    """Return the Evaluation at multipliers pi; values that change by less than `tolerance` count as unchanged."""
+    prices = ngroutes.Prices(pi, N, *cuts.words)
+    lists = _values(network.ahead, prices, tolerance)
+    cost, entry = ngroutes.cheapest_starts(network.pieces, prices, lists)
+    n = len(pi)
+    return Evaluation(network, N, pi, cuts, n_agents, prices, lists, cost - n * tolerance, entry)
+
+
+def _values(side, prices, tolerance):
+    nothing = np.full((len(side.a), 2), -np.inf)
+    return ngroutes.values_to_go(side, prices, nothing, np.inf, tolerance, len(prices.pi))[0]

@@ -1,0 +1,356 @@
+"""ng-routes over pieces (Baldacci, Mingozzi and Roberti 2011): what it costs at least to go on from a piece.
+
+An ng-route may repeat a target that it has forgotten: at target u it remembers only visits to members of the ng-set
+N_u. It may also leave a piece at another time than it arrived. A value to go is an affine minorant, kept as its values
+(left, right) at the two ends of the piece, of the reduced cost (length less the multiplier pi of each visit, and the
+prices of subset-row cuts) of every real route's way from there to its end.
+
+Values are kept in a list for each piece, one entry for each memory (set of targets that must not come before) and
+parity (of the subset-row cuts), thinned by dominance. Pieces are handled from the last to the first; a piece whose
+list changed marks those before it that were handled already (their flights go between overlapping pieces), and passes
+go on until nothing changes: then the values hold for routes of any length. After as many passes as there are targets
+they hold for all real routes in any case.
+
+The same code runs forward in time: `reversed_side` shows it the instance with time running backward.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+
+from .legs import before_leg, least, share_before
+from .sets import add, grown, has, same, subset
+
+
+class Side(NamedTuple):
+    """The pieces and arcs as seen in one direction of time.
+
+    order: (Q,) pieces, the last first; place: (Q,) where each is in `order`; a, width: (Q,); end: (Q, 2) the leg home
+    at both ends of a piece; start, head, leg: as in Arcs; back_start, back: the tails of the arcs into each piece.
+    """
+
+    order: np.ndarray
+    place: np.ndarray
+    target: np.ndarray
+    a: np.ndarray
+    width: np.ndarray
+    end: np.ndarray
+    start: np.ndarray
+    head: np.ndarray
+    leg: np.ndarray
+    back_start: np.ndarray
+    back: np.ndarray
+    speed: float
+
+
+class Lists(NamedTuple):
+    """Entries of each piece q: first[q] : first[q] + count[q] of memory (X, W), parity (X,), left, right (X,), in order
+    of their sums."""
+
+    first: np.ndarray
+    count: np.ndarray
+    memory: np.ndarray
+    parity: np.ndarray
+    left: np.ndarray
+    right: np.ndarray
+
+
+class Prices(NamedTuple):
+    """What a relaxed route pays. pi: (n,) multipliers; N: (n, W) ng-sets; of subset-row cuts, as bits of a word, and
+    sigma: (64,) their prices <= 0: inside: (n,) the cuts whose row each target is in, kept: (n,) those whose memory it
+    is in."""
+
+    pi: np.ndarray
+    N: np.ndarray
+    inside: np.ndarray
+    kept: np.ndarray
+    sigma: np.ndarray
+
+
+def sides(pieces, arcs):
+    """Return (side, reversed side) of the arcs between pieces."""
+    width = pieces.b - pieces.a
+    by_head = np.argsort(arcs.head, kind="stable")
+    into = np.searchsorted(arcs.head[by_head], np.arange(len(width) + 1))
+    ahead = _side(pieces, pieces.a, pieces.last, arcs.start, arcs.head, arcs.leg, into, arcs.tail[by_head])
+    leg = arcs.leg[by_head]
+    value = leg[:, 0] + leg[:, 1] * width[arcs.tail[by_head]] + leg[:, 2] * width[arcs.head[by_head]]
+    leg = np.c_[value, -leg[:, 2], -leg[:, 1]]
+    start = np.ascontiguousarray(pieces.first[:, ::-1])
+    back = _side(pieces, -pieces.b, start, into, arcs.tail[by_head], leg, arcs.start, arcs.head)
+    return ahead, back
+
+
+def _side(pieces, a, end, start, head, leg, back_start, back):
+    order = np.argsort(-a, kind="stable")
+    place = np.empty(len(order), np.int64)
+    place[order] = np.arange(len(order))
+    width = pieces.b - pieces.a
+    return Side(order, place, pieces.target, a, width, end, start, head, leg, back_start, back, pieces.speed)
+
+
+@njit(cache=True)
+def penalty(hits, sigma):
+    """Return what the subset-row cuts with these bits cost, >= 0."""
+    total = 0.0
+    bit = 0
+    while hits:
+        if hits & np.uint64(1):
+            total -= sigma[bit]
+        hits >>= np.uint64(1)
+        bit += 1
+    return total
+
+
+@njit(cache=True, inline="always")
+def _pays(odd, sigma):
+    """Return the penalty of the cuts in `odd`, most often none."""
+    return penalty(odd, sigma) if odd else 0.0
+
+
+@njit(cache=True)
+def _extended(q, side, prices, other, limit, lists, work, first_time):
+    """Gather in `work` (memory, parity, left, right) what can be said of piece q from the lists of the pieces behind
+    it: the entries that no other dominates, by their sums; return how many, -1 if there is no room.
+
+    Everything is unpacked first and done in one loop: numba counts references at each call and attribute otherwise.
+    """
+    memory, parity, left, right = work
+    first, count, old_memory, old_parity, old_left, old_right = lists
+    target, a, width, head, leg, speed = side.target, side.a, side.width, side.head, side.leg, side.speed
+    pi, N, inside, sigma = prices.pi, prices.N, prices.inside, prices.sigma
+    W, room, known = N.shape[1], len(left), count[q]
+    u, a_q, width_q, kept = target[q], a[q], width[q], prices.kept[target[q]]
+    fresh = np.zeros((1, W), np.uint64)
+    room_left, room_right = limit - other[q, 0], limit - other[q, 1]
+    if known > room:
+        return -1
+    for x in range(known):
+        for z in range(W):
+            memory[x, z] = old_memory[first[q] + x, z]
+        parity[x], left[x], right[x] = old_parity[first[q] + x], old_left[first[q] + x], old_right[first[q] + x]
+    begin = side.start[q] - 1 if first_time and side.end[q, 0] < np.inf else side.start[q]
+    for k in range(begin, side.start[q + 1]):
+        home = k < side.start[q]  # the leg to the depot comes first, then the arcs
+        r = q if home else head[k]
+        w = target[r]
+        gap, pi_w, inside_w, width_r, known_w = a[r] - a_q, pi[w], inside[w], width[r], has(N, u, w)
+        for x in range(first[r], first[r] + (1 if home else count[r])):
+            if home:
+                low, high, odd = side.end[q, 0], side.end[q, 1], np.uint64(0)
+                for z in range(W):
+                    fresh[0, z] = np.uint64(0)
+            else:
+                if has(old_memory, x, u):
+                    continue
+                low, high = before_leg(
+                    leg[k, 0], leg[k, 1], leg[k, 2], old_left[x], old_right[x], width_q, width_r, gap, speed
+                )  # fmt: skip
+                pay = _pays(old_parity[x] & inside_w, sigma) - pi_w
+                low += pay
+                high += pay
+                odd = (old_parity[x] ^ inside_w) & kept
+                for z in range(W):
+                    fresh[0, z] = old_memory[x, z] & N[u, z]
+                if known_w:
+                    add(fresh, 0, w)
+            if low > room_left and high > room_right:
+                continue
+            total, y = low + high, 0
+            while y < known and left[y] + right[y] <= total:
+                if left[y] <= low and right[y] <= high and subset(memory, y, fresh, 0):
+                    pay = _pays(parity[y] & ~odd, sigma)
+                    if left[y] + pay <= low and right[y] + pay <= high:
+                        break
+                y += 1
+            if y < known and left[y] + right[y] <= total:
+                continue  # dominated
+            place, gone = y, 0
+            while y < known:  # what the new entry dominates goes
+                pay = np.inf
+                if low <= left[y] and high <= right[y] and subset(fresh, 0, memory, y):
+                    pay = _pays(odd & ~parity[y], sigma)
+                if low + pay <= left[y] and high + pay <= right[y]:
+                    gone += 1
+                elif gone:
+                    for z in range(W):
+                        memory[y - gone, z] = memory[y, z]
+                    parity[y - gone], left[y - gone], right[y - gone] = parity[y], left[y], right[y]
+                y += 1
+            known -= gone
+            if known == room:
+                return -1
+            for y in range(known, place, -1):
+                for z in range(W):
+                    memory[y, z] = memory[y - 1, z]
+                parity[y], left[y], right[y] = parity[y - 1], left[y - 1], right[y - 1]
+            for z in range(W):
+                memory[place, z] = fresh[0, z]
+            parity[place], left[place], right[place] = odd, low, high
+            known += 1
+    return known
+
+
+@njit(cache=True)
+def _room(size, W):
+    return np.empty((size, W), np.uint64), np.empty(size, np.uint64), np.empty(size), np.empty(size)
+
+
+@njit(cache=True)
+def values_to_go(side, prices, other, limit, tolerance, most_passes):
+    """Return (lists, passes): the values to go of each piece, its own multiplier not included.
+
+    other: (Q, 2) what it costs at least to come to each piece (from the other direction): values that cannot get
+    below `limit` with it are left out. tolerance: a change of a value that counts as none.
+    """
+    Q, W = len(side.a), prices.N.shape[1]
+    size = 4 * Q + 64
+    lists = Lists(
+        np.zeros(Q, np.int64), np.zeros(Q, np.int64), np.empty((size, W), np.uint64), np.empty(size, np.uint64),
+        np.empty(size), np.empty(size),
+    )  # fmt: skip
+    used, passes, again = 0, 0, True
+    work = _room(256, W)
+    dirty, handled = np.ones(Q, np.bool_), np.zeros(Q, np.bool_)
+    while again and passes < most_passes:
+        again = False
+        passes += 1
+        for q in side.order:
+            if not dirty[q]:
+                continue
+            dirty[q] = False
+            known = _extended(q, side, prices, other, limit, lists, work, passes == 1)
+            while known < 0:
+                work = _room(4 * len(work[2]), W)
+                known = _extended(q, side, prices, other, limit, lists, work, passes == 1)
+            if _unchanged(work, known, lists, q, tolerance):
+                continue
+            if known > lists.count[q]:
+                if used + known > len(lists.left):
+                    lists = Lists(
+                        lists.first, lists.count,
+                        *grown(lists.memory, lists.parity, lists.left, lists.right, used, known),
+                    )  # fmt: skip
+                lists.first[q] = used
+                used += known
+            _store(work, known, lists, q)
+            for k in range(side.back_start[q], side.back_start[q + 1]):
+                p = side.back[k]
+                if not dirty[p]:
+                    dirty[p] = True
+                    again = again or side.place[p] <= side.place[q]
+    return lists, passes
+
+
+@njit(cache=True)
+def _store(work, known, lists, q):
+    """Make the first `known` entries the list of piece q."""
+    begin, end = lists.first[q], lists.first[q] + known
+    lists.count[q] = known
+    lists.memory[begin:end], lists.parity[begin:end] = work[0][:known], work[1][:known]
+    lists.left[begin:end], lists.right[begin:end] = work[2][:known], work[3][:known]
+
+
+@njit(cache=True)
+def _unchanged(work, known, lists, q, tolerance):
+    memory, parity, left, right = work
+    if known != lists.count[q]:
+        return False
+    for x in range(known):
+        y = lists.first[q] + x
+        if parity[x] != lists.parity[y] or not same(memory, x, lists.memory, y):
+            return False
+        if left[x] < lists.left[y] - tolerance or right[x] < lists.right[y] - tolerance:
+            return False
+    return True
+
+
+@njit(cache=True)
+def cheapest_starts(pieces, prices, lists):
+    """Return (cost, entry), each (Q,): the least reduced cost of an ng-route that begins at each piece, and the first
+    entry of its list on it; infinite and -1 where there is none."""
+    Q = len(pieces.a)
+    cost, entry = np.full(Q, np.inf), np.full(Q, -1)
+    for q in range(Q):
+        if pieces.first[q, 0] == np.inf:
+            continue
+        u = pieces.target[q]
+        share = share_before(pieces.ready[q], pieces.a[q], pieces.b[q] - pieces.a[q])
+        for x in range(lists.first[q], lists.first[q] + lists.count[q]):
+            pay = penalty(lists.parity[x] & prices.inside[u], prices.sigma) - prices.pi[u]
+            value = pay + least(
+                pieces.first[q, 0] + lists.left[x], pieces.first[q, 1] + lists.right[x], share
+            )  # fmt: skip
+            if value < cost[q]:
+                cost[q], entry[q] = value, x
+    return cost, entry
+
+
+@njit(cache=True)
+def trace(side, prices, lists, q, x, longest):
+    """Return the pieces of a cheapest ng-route from piece q on that begins with entry x of its list; the first `longest`
+    of them if it has as many: it then goes round and round between pieces that overlap in time."""
+    W = prices.N.shape[1]
+    route, length = np.empty(longest, np.int64), 0
+    fresh = np.zeros((1, W), np.uint64)
+    while length < longest:
+        route[length] = q
+        length += 1
+        u = side.target[q]
+        best, best_k, best_x = np.inf, -1, -1
+        if side.end[q, 0] < np.inf:
+            best = max(side.end[q, 0] - lists.left[x], side.end[q, 1] - lists.right[x])
+        for k in range(side.start[q], side.start[q + 1]):
+            r = side.head[k]
+            w = side.target[r]
+            for y in range(lists.first[r], lists.first[r] + lists.count[r]):
+                if has(lists.memory, y, u):
+                    continue
+                low, high = before_leg(
+                    side.leg[k, 0], side.leg[k, 1], side.leg[k, 2], lists.left[y], lists.right[y], side.width[q],
+                    side.width[r], side.a[r] - side.a[q], side.speed,
+                )  # fmt: skip
+                pay = penalty(lists.parity[y] & prices.inside[w], prices.sigma) - prices.pi[w]
+                off = max(low + pay - lists.left[x], high + pay - lists.right[x])
+                if off >= best:
+                    continue
+                for z in range(W):
+                    fresh[0, z] = lists.memory[y, z] & prices.N[u, z]
+                if has(prices.N, u, w):
+                    add(fresh, 0, w)
+                if subset(fresh, 0, lists.memory, x):
+                    best, best_k, best_x = off, k, y
+        if best_k < 0:
+            return route[:length]
+        q, x = side.head[best_k], best_x
+    return route
+
+
+@njit(cache=True)
+def value_along(side, prices, route):
+    """Return (left, right) of the values to go at the first piece of a route of pieces, and how often it pays each
+    subset-row cut."""
+    K = len(route)
+    left, right = side.end[route[K - 1]]
+    times, odd = np.zeros(64), np.uint64(0)
+    for i in range(K - 1, 0, -1):
+        q, r = route[i - 1], route[i]
+        w = side.target[r]
+        for k in range(side.start[q], side.start[q + 1]):
+            if side.head[k] == r:
+                left, right = before_leg(
+                    side.leg[k, 0], side.leg[k, 1], side.leg[k, 2], left, right, side.width[q], side.width[r],
+                    side.a[r] - side.a[q], side.speed,
+                )  # fmt: skip
+                break
+        hits = odd & prices.inside[w]
+        pay = penalty(hits, prices.sigma) - prices.pi[w]
+        left, right = left + pay, right + pay
+        for bit in range(64):
+            times[bit] += (hits >> np.uint64(bit)) & np.uint64(1)
+        odd = (odd ^ prices.inside[w]) & prices.kept[side.target[q]]
+    hits = odd & prices.inside[side.target[route[0]]]
+    for bit in range(64):
+        times[bit] += (hits >> np.uint64(bit)) & np.uint64(1)
+    return left, right, times

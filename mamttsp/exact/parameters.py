@@ -1,0 +1,58 @@
+"""Every constant of the exact solver, with its meaning and the measurement that it comes from."""
+
+import dataclasses
+
+
+@dataclasses.dataclass(frozen=True)
+class Parameters:
+    """Constants of the search."""
+
+    #: targets that an ng-set holds at first
+    ng_size: int = 8
+    #: cycles of up to so many visits are forbidden at once when ng-sets grow
+    longest_cycle: int = 5
+    #: columns of an evaluation, and of them with the same first target
+    columns: int = 60
+    columns_each: int = 5
+    #: half the width of the box around the best prices, as a share of their mean
+    box: float = 0.3
+    #: steps of column generation, and columns in the master, at most
+    most_steps: int = 80
+    most_columns: int = 3000
+    #: and steps without a better bound
+    idle_steps: int = 10
+    #: column generation ends when the bound is within this share of the gap of the master's value
+    converged: float = 0.005
+    #: pieces that a target's windows are cut into at first
+    pieces_each: int = 20
+    #: looks of ruin and recreate before a round, for each target squared, and iterations of a look
+    annealing: float = 1.0 / 60.0
+    annealing_step: int = 500
+    #: columns that are timed in a round, for each target
+    timed: int = 5
+    #: seconds for a choice among known routes
+    choice_seconds: float = 0.5
+    #: labels of the first enumeration, by how much more each next one may grow, and the most
+    first_labels: int = 150_000
+    more_labels: float = 3.0
+    most_labels: int = 8_000_000
+    #: an enumeration is tried again over the same pieces once only this share of the arcs is left
+    fewer_arcs: float = 0.8
+    #: label extensions per second, an underestimate, to stop in time
+    rate: float = 2e7
+    #: a means of raising the bound is used again if it closed this share of the gap
+    worthwhile: float = 0.05
+    #: subset-row cuts added at once, and by how much they must be violated
+    cuts: int = 15
+    violation: float = 0.02
+    #: sets of targets that are settled, and sequences of segments that are timed for one
+    few_sets: int = 500_000
+    few_sequences: int = 1500
+    #: by how much pieces get shorter, without and with all routes known
+    finer: float = 2.0
+    finer_after_routes: float = 3.0
+    #: pieces of a network, at first: the number of arcs grows with the square; and arcs, which take 100 bytes each
+    most_pieces: int = 4000
+    most_arcs: int = 20_000_000
+    #: least length of a piece, as a share of the horizon
+    thinnest: float = 1e-8

@@ -1,0 +1,71 @@
+"""The restricted master problem: the linear set partitioning over the columns found so far, kept warm in HiGHS."""
+
+from typing import NamedTuple
+
+import highspy
+import numpy as np
+
+
+class Duals(NamedTuple):
+    """value: of the linear program; pi: (n,); sigma: (C,) <= 0; level: (J,) of the columns; outside: how much of the
+    targets is served at the prices of the box."""
+
+    value: float
+    pi: np.ndarray
+    sigma: np.ndarray
+    level: np.ndarray
+    outside: float
+
+
+class RestrictedMaster:
+    """Columns in rows: each target once, at most m routes, each subset-row cut at most once.
+
+    Two artificial columns for each target hold its price in a box. Costs are given in units of `unit`, so that HiGHS's
+    tolerances fit.
+    """
+
+    def __init__(self, n_targets, n_agents, n_cuts, unit):
+        self.n, self.unit = n_targets, unit
+        self._highs = highs = highspy.Highs()
+        for name, value in (("output_flag", False), ("threads", 1), ("random_seed", 0)):
+            highs.setOptionValue(name, value)
+        index, none = np.zeros(0, np.int32), np.zeros(0)
+        for _ in range(n_targets):
+            highs.addRow(1.0, 1.0, 0, index, none)
+        highs.addRow(-highspy.kHighsInf, float(n_agents), 0, index, none)
+        for _ in range(n_cuts):
+            highs.addRow(-highspy.kHighsInf, 1.0, 0, index, none)
+        for sign in (1.0, -1.0):
+            for u in range(n_targets):
+                highs.addCol(0.0, 0.0, highspy.kHighsInf, 1, np.array([u], np.int32), np.array([sign]))
+
+    def add(self, visits, lengths, paid):
+        """Add columns: visits (J, n), lengths (J,), paid (J, C) how often each pays each cut."""
+        rows = np.hstack([visits, np.ones((len(visits), 1)), paid])
+        where, index = np.nonzero(rows)
+        starts = np.searchsorted(where, np.arange(len(rows)))
+        none, free = np.zeros(len(rows)), np.full(len(rows), highspy.kHighsInf)
+        self._highs.addCols(
+            len(rows), np.asarray(lengths) / self.unit, none, free, len(index), starts.astype(np.int32),
+            index.astype(np.int32), rows[where, index],
+        )  # fmt: skip
+
+    def keep(self, which):
+        """Drop all columns but those marked in which (J,)."""
+        drop = np.flatnonzero(~which) + 2 * self.n
+        self._highs.deleteCols(len(drop), drop.astype(np.int32))
+
+    def solve(self, centre, box, time_limit):
+        """Return the Duals with pi within `box` of centre (n,), or None if HiGHS does not get there within the time
+        limit in s."""
+        highs, n = self._highs, self.n
+        prices = np.r_[centre + box, box - centre] / self.unit
+        highs.changeColsCost(2 * n, np.arange(2 * n, dtype=np.int32), prices)
+        highs.setOptionValue("time_limit", highs.getRunTime() + max(min(time_limit, 1e6), 1e-3))
+        highs.run()
+        if highs.getModelStatus() != highspy.HighsModelStatus.kOptimal:
+            return None
+        answer = highs.getSolution()
+        dual, level = np.array(answer.row_dual) * self.unit, np.array(answer.col_value)
+        value = highs.getInfo().objective_function_value * self.unit
+        return Duals(value, dual[:n], np.minimum(dual[n + 1 :], 0.0), level[2 * n :], level[: 2 * n].sum())

@@ -1,0 +1,73 @@
+"""Sets of targets as bits of W words of 64: as many targets as there are."""
+
+import numpy as np
+from numba import njit
+
+
+def words(n_targets):
+    """Return how many words a set takes."""
+    return max(1, -(-n_targets // 64))
+
+
+def to_words(sets, n_targets):
+    """Return (len(sets), W) uint64: an iterable of sets of targets as bits."""
+    bits = np.zeros((len(sets), words(n_targets)), np.uint64)
+    for row, members in enumerate(sets):
+        for u in members:
+            bits[row, u >> 6] |= np.uint64(1) << np.uint64(u & 63)
+    return bits
+
+
+def members(bits):
+    """Return the targets in a set (W,), in order."""
+    return [64 * w + k for w, word in enumerate(bits) for k in range(64) if int(word) >> k & 1]
+
+
+@njit(cache=True, inline="always")
+def has(sets, x, u):
+    """Tell whether target u is in set x of (X, W). All of these take whole arrays and rows: views cost time."""
+    return (sets[x, u >> 6] >> np.uint64(u & 63)) & np.uint64(1) != np.uint64(0)
+
+
+@njit(cache=True, inline="always")
+def add(sets, x, u):
+    """Put target u into set x."""
+    sets[x, u >> 6] |= np.uint64(1) << np.uint64(u & 63)
+
+
+@njit(cache=True, inline="always")
+def same(sets, x, others, y):
+    """Tell whether set x of `sets` is set y of `others`."""
+    equal = True
+    for w in range(sets.shape[1]):
+        equal = equal and sets[x, w] == others[y, w]
+    return equal
+
+
+@njit(cache=True, inline="always")
+def subset(sets, x, others, y):
+    """Tell whether set x of `sets` is part of set y of `others`."""
+    inside = True
+    for w in range(sets.shape[1]):
+        inside = inside and (sets[x, w] & ~others[y, w]) == np.uint64(0)
+    return inside
+
+
+@njit(cache=True, inline="always")
+def disjoint(sets, x, others, y):
+    """Tell whether set x of `sets` and set y of `others` have no target in common."""
+    apart = True
+    for w in range(sets.shape[1]):
+        apart = apart and (sets[x, w] & others[y, w]) == np.uint64(0)
+    return apart
+
+
+@njit(cache=True)
+def grown(memory, parity, left, right, used, more):
+    """Return the arrays of entries with room for at least `more` behind the first `used`."""
+    size = 2 * (used + more)
+    new_memory, new_parity = np.empty((size, memory.shape[1]), np.uint64), np.empty(size, np.uint64)
+    new_left, new_right = np.empty(size), np.empty(size)
+    new_memory[:used], new_parity[:used] = memory[:used], parity[:used]
+    new_left[:used], new_right[:used] = left[:used], right[:used]
+    return new_memory, new_parity, new_left, new_right
