@@ -25,7 +25,7 @@ RESULTS = Path(__file__).parent.parent / "paper_results" / "scale.csv"
 SIZES = ((25, 3, 200, 6), (25, 5, 200, 6), (30, 3, 250, 7), (30, 5, 250, 7), (40, 3, 400, 11), (40, 5, 400, 11))
 SIZES = (*SIZES, (50, 10, 500, 14))
 KEY = ["n", "agents", "horizon", "pieces", "seed", "time_limit"]
-PHASES = ("heuristic", "multipliers", "beam", "labels", "routes", "sequences", "settle")
+PHASES = ("heuristic", "prices", "elimination", "labels", "routes", "settle")
 _PROVENANCE = ("version", "commit", "jobs", "cpu", "cores", "python")
 
 
@@ -49,7 +49,7 @@ def _phases(steps):
     for step in steps:
         spent[step.phase] = spent.get(step.phase, 0.0) + step.time - before
         before = step.time
-    rounds = sum(step.phase == "multipliers" for step in steps)
+    rounds = sum(step.phase == "prices" for step in steps)
     return {"rounds": rounds} | {f"{phase}_s": round(seconds, 2) for phase, seconds in spent.items()}
 
 

@@ -7,12 +7,12 @@
 """
 
 from .animation import film, moment_view
-from .exact_search import alive_view, ascent_view, layers_view
+from .exact_search import alive_view, ascent_view
 from .gaps import true_gap_view
 from .graph_drawing import graph_view, reach_view
 from .ideas import charge_view, descent_view, perspective_view, sizes_view
 from .plan import plan_view, space_time_view
-from .priced_times import errors_view, relaxed_view, tangents_view, tilt_view
+from .priced_times import relaxed_view, tangents_view, tilt_view
 from .profiles import cactus_view, profile_view
 from .recording import Film
 from .relaxed_bounds import flow_view, growth_view, relaxation_view
@@ -33,13 +33,11 @@ __all__ = [
     "charge_view",
     "cycle_view",
     "descent_view",
-    "errors_view",
     "explore",
     "film",
     "flow_view",
     "graph_view",
     "growth_view",
-    "layers_view",
     "leak_view",
     "moment_view",
     "panels_view",

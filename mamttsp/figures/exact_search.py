@@ -1,4 +1,4 @@
-"""How the exact solver narrows things down: bounds that rise, labels by layer, and pieces still alive."""
+"""How the exact solver narrows things down: bounds that rise, and pieces still alive."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -7,36 +7,16 @@ from .style import COLOURS, LINES, MARKERS, once
 
 
 def ascent_view(bounds, optimum, ax=None):
-    """Draw how bounds rise with the rounds of column generation, and return the axes.
+    """Draw how bounds rise with the evaluations of column generation, and return the axes.
 
-    bounds: dict from a name to its bounds (units) after 1, 2, ... rounds; optimum: of the instance, units.
+    bounds: dict from a name to its bounds (units) after 1, 2, ... evaluations; optimum: of the instance, units.
     """
     ax = ax or plt.figure(figsize=(6, 4), layout="constrained").add_subplot()
     for k, (name, values) in enumerate(bounds.items()):
-        rounds = range(1, len(values) + 1)
-        ax.plot(rounds, values, color=COLOURS[k], linestyle=LINES[k], marker=MARKERS[k], label=name)
-        ax.set_xticks(rounds)
+        numbers = range(1, len(values) + 1)
+        ax.plot(numbers, values, color=COLOURS[k], linestyle=LINES[k], marker=MARKERS[k], label=name)
     ax.axhline(optimum, color="black", linewidth=1.0, linestyle="--", label="optimum")
-    ax.set(xlabel="rounds", ylabel="bound (units)")
-    ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0.0, frameon=False)
-    return ax
-
-
-def layers_view(bounds, limit, ax=None):
-    """Draw the completion bound of every label, a column for each number of visits, and return the axes.
-
-    bounds: list of arrays, the bounds (units) of the labels with 1, 2, ... visits; limit: what a bound must not exceed.
-    Labels of a layer stand side by side in the order of their bounds; those within the limit are blue.
-    """
-    ax = ax or plt.figure(figsize=(7, 4), layout="constrained").add_subplot()
-    for k, values in enumerate(bounds):
-        values = np.sort(values)
-        place = k + 1 + np.linspace(-0.35, 0.35, len(values))
-        within = values <= limit
-        ax.plot(place[~within], values[~within], ".", color="0.7", **once(k, "above the limit"))
-        ax.plot(place[within], values[within], "o", color=COLOURS[0], markersize=4, **once(k, "within the limit"))
-    ax.axhline(limit, color=COLOURS[1], linestyle="--", linewidth=1.0, label="limit")
-    ax.set(xlabel="visits of the label", ylabel="completion bound (units)", xticks=range(1, len(bounds) + 1))
+    ax.set(xlabel="evaluations", ylabel="bound (units)")
     ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0.0, frameon=False)
     return ax
 

@@ -1,4 +1,4 @@
-"""What time prices do: relaxed times, the tilt of two costs, tangents of a distance, and errors against widths."""
+"""What time prices do: relaxed times, the tilt of two costs, and tangents of a distance."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -47,8 +47,8 @@ def tilt_view(times, so_far, to_go, best, price=0.0, ax=None):
     return ax
 
 
-def tangents_view(pieces, graph, q, i, ax=None):
-    """Draw the distance from the middle of piece q to segment i against the time on it, with the minorants of the legs
+def tangents_view(pieces, arcs, graph, q, i, ax=None):
+    """Draw the distance from the middle of piece q to segment i against the time on it, with the minorants of the arcs
     from q to its pieces, and return the axes."""
     ax = ax or plt.figure(figsize=(5, 4), layout="constrained").add_subplot()
     half = (pieces.b[q] - pieces.a[q]) / 2
@@ -56,23 +56,10 @@ def tangents_view(pieces, graph, q, i, ax=None):
     places = graph.p_lo[i] + (times - graph.t_lo[i])[:, None] * graph.v[i]
     distance = np.linalg.norm(places - pieces.p[q] - half * pieces.v[q], axis=1)
     ax.plot(times, distance, color="black", label="distance")
-    for k, r in enumerate(np.flatnonzero((pieces.segment == i) & np.isfinite(pieces.legs[q, :, 0]))):
-        c, slope_q, slope_r = pieces.legs[q, r]
+    drawn = (arcs.tail == q) & (pieces.segment[arcs.head] == i)
+    for k, (r, (c, slope_q, slope_r)) in enumerate(zip(arcs.head[drawn], arcs.leg[drawn])):
         values = c + slope_q * half + slope_r * np.array([0.0, pieces.b[r] - pieces.a[r]])
         ax.plot([pieces.a[r], pieces.b[r]], values, "|--", color=COLOURS[0], **once(k, "minorant on a piece"))
     ax.set(xlabel="time on the segment (s)", ylabel="distance (units)")
-    ax.legend(frameon=False)
-    return ax
-
-
-def errors_view(widths, errors, ax=None):
-    """Draw errors (units) against the widths (s) of pieces, both axes logarithmic, and return the axes.
-
-    errors: dict from the name of a relaxation to its errors, one for each width.
-    """
-    ax = ax or plt.figure(figsize=(6, 4), layout="constrained").add_subplot()
-    for k, (name, values) in enumerate(errors.items()):
-        ax.plot(widths, values, color=COLOURS[k], linestyle=LINES[k], marker=MARKERS[k], label=name)
-    ax.set(xlabel="width of the pieces (s)", ylabel="optimum less bound (units)", xscale="log", yscale="log")
     ax.legend(frameon=False)
     return ax

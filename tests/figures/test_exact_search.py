@@ -6,13 +6,11 @@ import pytest
 from matplotlib.colors import to_hex
 
 from mamttsp import Progress, Visit, build_graph
-from mamttsp.exact.pieces import even_cuts, make_pieces
+from mamttsp.exact.pieces import all_arcs, even_cuts, make_pieces
 from mamttsp.figures import (
     COLOURS,
     alive_view,
     ascent_view,
-    errors_view,
-    layers_view,
     relaxed_view,
     tangents_view,
     tilt_view,
@@ -22,8 +20,8 @@ from tests.examples import instance, moving, still
 
 INSTANCE = instance(moving((10, 0), (0, 0.5), [(10, 30)]), still(0, 20, [(0, 60)]))
 STEPS = [
-    Progress(0.5, None, 10.0, None, 0, "multipliers"),
-    Progress(1.0, 30.0, 10.0, 2 / 3, 0, "beam"),
+    Progress(0.5, None, 10.0, None, 0, "prices"),
+    Progress(1.0, 30.0, 10.0, 2 / 3, 0, "labels"),
     Progress(2.0, 25.0, 20.0, 0.2, 9, "routes"),
     Progress(4.0, 25.0, 25.0, 0.0, 9, "routes"),
 ]
@@ -54,7 +52,7 @@ def test_a_trace_against_time():
 def test_a_trace_against_reports_names_phases_where_they_begin():
     ax = trace_view(STEPS, against="report")
     assert _named(ax)["bound"][:, 0].tolist() == [1, 2, 3, 4]
-    assert [label.get_text() for label in ax.get_xticklabels()] == ["1 multipliers", "2 beam", "3 routes"]
+    assert [label.get_text() for label in ax.get_xticklabels()] == ["1 prices", "2 labels", "3 routes"]
 
 
 def test_times_do_not_show_in_a_trace_against_reports(tmp_path):
@@ -92,9 +90,10 @@ def test_the_lowest_points_of_costs_that_are_partly_infinite_are_marked():
 def test_tangents_touch_the_distance_in_the_middle_and_stay_below(graph):
     pieces = make_pieces(graph, *even_cuts(graph, graph.V_seg, 5.0), range(2))
     q = int(np.flatnonzero(pieces.segment == 1)[0])
-    ax = tangents_view(pieces, graph, q, 2)
+    arcs = all_arcs(pieces)
+    ax = tangents_view(pieces, arcs, graph, q, 2)
     distance, *tangents = (line.get_xydata() for line in ax.lines)
-    drawn = np.flatnonzero((pieces.segment == 2) & np.isfinite(pieces.legs[q, :, 0]))
+    drawn = arcs.head[(arcs.tail == q) & (pieces.segment[arcs.head] == 2)]
     assert len(tangents) == len(drawn) > 5  # no leg leads back in time, and none is drawn
     ends = np.vstack(tangents)
     assert (ends[:, 1] <= np.interp(ends[:, 0], *distance.T) + 1e-9).all()
@@ -102,23 +101,9 @@ def test_tangents_touch_the_distance_in_the_middle_and_stay_below(graph):
     assert middle[1] == pytest.approx(np.interp(middle[0], *distance.T))
 
 
-def test_errors_are_drawn_on_logarithmic_axes():
-    ax = errors_view([4.0, 2.0], {"first": [2.0, 1.0], "second": [4.0, 1.0]})
-    assert (ax.get_xscale(), ax.get_yscale()) == ("log", "log")
-    assert _named(ax)["second"].tolist() == [[4, 4], [2, 1]]
-
-
-def test_bounds_rise_round_by_round():
+def test_bounds_rise_from_evaluation_to_evaluation():
     ax = ascent_view({"short": [1.0, 2.0], "long": [2.0, 3.0]}, optimum=4.0)
     assert _named(ax)["long"].tolist() == [[1, 2], [2, 3]] and set(_named(ax)["optimum"][:, 1]) == {4.0}
-
-
-def test_labels_are_divided_by_the_limit():
-    ax = layers_view([np.array([5.0, 3.0]), np.array([9.0, 4.0, 7.0])], limit=6.0)
-    above, within = (
-        [line.get_ydata().tolist() for line in ax.lines if line.get_color() == c] for c in ("0.7", COLOURS[0])
-    )
-    assert above == [[], [7, 9]] and within == [[3, 5], [4]]
 
 
 def test_pieces_are_bars_on_the_rows_of_their_targets(graph):

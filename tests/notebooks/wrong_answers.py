@@ -129,6 +129,6 @@ def prices(graph, route):
 """,
         r"at your prices the legs come to",
     ),
-    "09.3": ("is_ng_route = lambda walk, N: len(set(walk)) == len(walk)", r"the solver's table says True"),
+    "09.3": ("is_ng_route = lambda walk, N: len(set(walk)) == len(walk)", r"the solver says True"),
     "09.4": ("dominates = lambda A, B, a, b: all(x <= y for x, y in zip(A, B))", r"on the grid it is True"),
 }
