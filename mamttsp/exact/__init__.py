@@ -1,34 +1,36 @@
 """The exact solver, `method="exact"`: proved optima of MA-MT-TSP instances without a model or a licence."""
 
+import contextlib
+
 import numpy as np
 
 from ..display import ProgressLog
 from ..graph import build_graph
 from ..options import Watch
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, Solution
-from .ruin_and_recreate import Annealing
 from .parameters import Parameters
+from .ruin_and_recreate import Annealing
 from .search import Search
 
 #: gaps below this are beyond the tolerance of the SOCP that times the tours
 _LEAST_GAP = 1e-7
 
 
-def solve_exact(instance, options, parameters=Parameters()):
+def solve_exact(instance, options, parameters=None):
     """Return a Solution of the instance, or what stands when a limit or Ctrl-C ends the run.
 
-    options: `options.Options`; threads has no effect, verbose prints a log.
+    options: `options.Options`; threads has no effect, verbose prints a log. parameters: None for the defaults.
     """
     graph, n_agents = build_graph(instance), min(instance.n_agents, instance.n_targets)
     progress = options.progress or (ProgressLog() if options.verbose else None)
     with Watch(options.time_limit) as clock:
         annealing = Annealing(graph, range(instance.n_targets), n_agents, options.seed)
         start = [_segments(graph, tour) for tour in options.start or ()]
-        search = Search(graph, n_agents, max(options.gap, _LEAST_GAP), clock, parameters, annealing, progress, start)
-        try:
+        search = Search(
+            graph, n_agents, max(options.gap, _LEAST_GAP), clock, parameters or Parameters(), annealing, progress, start
+        )
+        with contextlib.suppress(KeyboardInterrupt):  # from the progress callback; Ctrl-C itself is the clock's
             search.run()
-        except KeyboardInterrupt:  # from the progress callback; Ctrl-C itself is the clock's
-            pass
     return _solution(search, clock.spent)
 
 

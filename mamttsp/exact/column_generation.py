@@ -112,12 +112,12 @@ class ColumnGeneration:
         pi, cuts = self.pi, self.cuts
         box, predicted = p.box * max(np.abs(pi).mean(), 1e-3 * self.unit), np.inf
         thinnest, idle = 1e-4 * box, 0
-        for _ in range(p.most_steps):
+        for step in range(p.most_steps):
             evaluation = self.evaluate(pi, cuts)
             on_bound(evaluation)
             bound, idle = evaluation.bound, idle + 1
-            if self.best is None or bound > self.best.bound:
-                if self.best is not None and bound > self.best.bound + 0.3 * predicted:
+            if step == 0 or bound > self.best.bound:  # the first is at the best prices known
+                if step > 0 and bound > self.best.bound + 0.3 * predicted:
                     box *= 1.5
                 self.best, idle = evaluation, 0
             elif bound < self.best.bound - 2.0 * predicted:
@@ -139,9 +139,7 @@ class ColumnGeneration:
             if evaluation is not self.best and np.allclose(duals.pi, pi, atol=1e-9 * self.unit):
                 box *= 0.4  # these columns prove more than L did, and cannot lead away from here
             predicted = duals.value - self.best.bound
-            self.support = [
-                (self.columns.routes[j], duals.level[j]) for j in np.flatnonzero(duals.level > 1e-6)
-            ]
+            self.support = [(self.columns.routes[j], duals.level[j]) for j in np.flatnonzero(duals.level > 1e-6)]
             if predicted <= p.converged * max(limit - self.best.bound, 0.0) + 1e-6 * self.unit:
                 if duals.outside < 1e-6 or box < thinnest:
                     break

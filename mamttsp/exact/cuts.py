@@ -30,7 +30,9 @@ class Cuts:
 
     def with_more(self, rows, memory):
         """Return the cuts with more of them, at no price."""
-        return Cuts(np.vstack([self.rows, rows]), np.vstack([self.memory, memory]), np.r_[self.sigma, [0.0] * len(rows)])
+        return Cuts(
+            np.vstack([self.rows, rows]), np.vstack([self.memory, memory]), np.r_[self.sigma, [0.0] * len(rows)]
+        )
 
     @property
     def words(self):

@@ -4,7 +4,6 @@ import numpy as np
 from scipy import sparse
 
 from . import labels as lab
-from .sets import members
 
 
 class Enumeration:

@@ -157,9 +157,7 @@ def extend(old, pieces, arcs, prices, lists, limit, most, budget):
             )  # fmt: skip
             if min(left + best[r, 0], right + best[r, 1]) + pay > limit:  # most end here, before any root is taken
                 continue
-            early = earliest_meeting(
-                px, py, a_q + since, p[r, 0], p[r, 1], a[r], v[r, 0], v[r, 1], a[r], b[r], speed
-            )
+            early = earliest_meeting(px, py, a_q + since, p[r, 0], p[r, 1], a[r], v[r, 0], v[r, 1], a[r], b[r], speed)
             if early == np.inf:
                 continue
             share = share_before(early, a[r], width)
@@ -179,7 +177,9 @@ def extend(old, pieces, arcs, prices, lists, limit, most, budget):
                 links = np.concatenate((links, np.empty_like(links)))
             links[linked, 0] = x
             slot = _slot_of(fresh, 0, r, len(head))
-            better = _dominate(new, head[slot], following, heir, count, fresh, r, left, right, early, share, a[r], width)
+            better = _dominate(
+                new, head[slot], following, heir, count, fresh, r, left, right, early, share, a[r], width
+            )
             if better >= 0:
                 links[linked, 1] = better
                 linked += 1

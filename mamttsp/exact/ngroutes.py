@@ -212,7 +212,7 @@ def values_to_go(side, prices, other, limit, tolerance, most_passes):
     )  # fmt: skip
     used, passes, again = 0, 0, True
     work = _room(256, W)
-    dirty, handled = np.ones(Q, np.bool_), np.zeros(Q, np.bool_)
+    dirty = np.ones(Q, np.bool_)
     while again and passes < most_passes:
         again = False
         passes += 1
@@ -289,8 +289,8 @@ def cheapest_starts(pieces, prices, lists):
 
 @njit(cache=True)
 def trace(side, prices, lists, q, x, longest):
-    """Return the pieces of a cheapest ng-route from piece q on that begins with entry x of its list; the first `longest`
-    of them if it has as many: it then goes round and round between pieces that overlap in time."""
+    """Return the pieces of a cheapest ng-route from piece q on that begins with entry x of its list; the first
+    `longest` of them if it has as many: it then goes round and round between pieces that overlap in time."""
     W = prices.N.shape[1]
     route, length = np.empty(longest, np.int64), 0
     fresh = np.zeros((1, W), np.uint64)

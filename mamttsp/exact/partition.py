@@ -32,7 +32,7 @@ def relax_choice(members, cost, n_agents, limit, unit, time_limit=np.inf):
     Whatever the prices with a fleet price <= 0, a choice with column j costs at least
     sum(dual) + m * fleet + reduced cost of j + (m - 1) * (the least reduced cost, if negative).
     """
-    n, J = members.shape
+    n = members.shape[0]
     each = cost / np.diff(members.indptr)  # for each target served
     active = np.argsort(each, kind="stable")[:_MORE]
     while True:
@@ -58,7 +58,7 @@ def relax_choice(members, cost, n_agents, limit, unit, time_limit=np.inf):
 def choose(members, cost, n_agents, limit, unit, time_limit=np.inf):
     """Return (bound, chosen): a proved lower bound on the cost of every choice, no more than the limit, and the columns
     of a best one found, None without one below the limit."""
-    n, J = members.shape
+    J = members.shape[1]
     if J == 0:
         return limit, None
     highs = _model(members, cost, n_agents, limit, unit, time_limit)

@@ -10,8 +10,8 @@ from .column_generation import ColumnGeneration
 from .cuts import MOST_CUTS, separate
 from .enumeration import Enumeration
 from .evaluation import first_network, refined, restricted
-from .pieces import even_cuts
 from .partition import relax_choice
+from .pieces import even_cuts
 from .settle import Sets, settle
 from .standing import Standing
 
