@@ -31,7 +31,11 @@ def assert_brackets(problem, solution, optimum):
 
 def assert_certified(problem, optimum, gap=1e-4):
     """Solve; what comes out is the optimum, proved to within the gap, or the proof that there is none (infinity)."""
-    solution = solve(problem, gap=gap)
+    assert_certificate(problem, solve(problem, gap=gap), optimum, gap)
+
+
+def assert_certificate(problem, solution, optimum, gap=1e-4):
+    """The solution is the optimum, proved to within the gap, or the proof that there is none (infinity)."""
     if math.isinf(optimum):
         assert solution.status == "infeasible" and solution.tours == ()
         assert solution.objective is None and solution.bound is None

@@ -1,0 +1,110 @@
+"""Small networks of pieces with random prices, and all real routes through them, for tests of the bounds."""
+
+import itertools
+import math
+
+import numpy as np
+
+from mamttsp import build_graph, generate
+from mamttsp.exact.cuts import Cuts
+from mamttsp.exact.evaluation import first_network
+from mamttsp.exact.pieces import even_cuts
+from mamttsp.motion import earliest_meeting
+from mamttsp.timing import best_times, earliest_times
+
+
+def small(seed, n=4, window=40):
+    """Return the graph of a generated instance."""
+    return build_graph(generate(n, window, seed=seed))
+
+
+def network_of(graph, width):
+    """Return the Network of pieces of at most `width` s."""
+    return first_network(graph, even_cuts(graph, graph.V_seg, width), range(graph.n_targets))
+
+
+def random_sets(rng, n):
+    """Return random ng-sets, N (n, n) bool."""
+    return rng.random((n, n)) < rng.choice([0.0, 0.3, 0.7, 1.0])
+
+
+def random_cuts(rng, n, count=3):
+    """Return Cuts on random rows, with random memories around them and random prices."""
+    rows = np.zeros((count, n), bool)
+    for row in rows:
+        row[rng.choice(n, 3, replace=False)] = True
+    return Cuts(rows, rows | (rng.random((count, n)) < 0.5), -20.0 * rng.random(count))
+
+
+def flyable_routes(graph):
+    """Return all routes of segments that an agent can fly."""
+    routes, layer = [], [()]
+    for _ in range(graph.n_targets):
+        longer = [(*route, i) for route in layer for i in graph.V_seg if graph.tau[i] not in graph.tau[list(route)]]
+        layer = [route for route in longer if earliest_times(graph, route) is not None]
+        routes += layer
+    return routes
+
+
+def random_times(graph, route, rng):
+    """Return random visit times of a route that an agent can fly, or None if the last draw came too late."""
+    place, now, times = graph.p_lo[graph.s], 0.0, []
+    for i in route:
+        p, v, lo, hi = graph.p_lo[i], graph.v[i], graph.t_lo[i], graph.t_hi[i]
+        early = earliest_meeting(*place, now, *p, lo, *v, lo, hi, graph.max_speed)
+        if math.isinf(early):
+            return None
+        now = early + (hi - early) * rng.choice([0.0, rng.random() ** 4, rng.random()])
+        place = graph.position(i, now)
+        times.append(now)
+    home = now + np.linalg.norm(place - graph.p_lo[graph.s]) / graph.max_speed
+    return np.array(times) if home <= graph.horizon else None
+
+
+def timed_routes(graph, rng, draws=3):
+    """Yield (route, times, legs) of all flyable routes, at random times and at the best ones; legs: (K + 1,) lengths."""
+    for route in flyable_routes(graph):
+        drawn = [random_times(graph, route, rng) for _ in range(draws)] + [best_times(graph, list(route))[1]]
+        for times in drawn:
+            if times is not None:
+                depot = graph.p_lo[graph.s]
+                stops = [depot, *(graph.position(i, t) for i, t in zip(route, times)), depot]
+                yield route, times, np.linalg.norm(np.diff(stops, axis=0), axis=1)
+
+
+def pieces_at(pieces, segment, time):
+    """Return the pieces of a segment that a time is in."""
+    near = (pieces.a <= time + 1e-7) & (time <= pieces.b + 1e-7)
+    return np.flatnonzero((pieces.segment == segment) & near)
+
+
+def pays(route, cuts):
+    """Return what a sequence of targets pays for cuts, >= 0: half of the visits to a row, rounded down, in each stretch
+    within the cut's memory."""
+    total = 0.0
+    for row, memory, sigma in zip(cuts.rows, cuts.memory, cuts.sigma):
+        for inside, stretch in itertools.groupby(route, key=lambda u: memory[u]):
+            total -= sigma * (sum(row[u] for u in stretch) // 2 if inside else 0)
+    return total
+
+
+def in_full(cuts):
+    """Return the cuts with all targets in their memories."""
+    return Cuts(cuts.rows, np.ones_like(cuts.memory), cuts.sigma)
+
+
+def best_solution(graph, n_agents):
+    """Return (length, routes) of a best solution by enumeration, an infinite length without one."""
+    shortest = {}
+    for route in flyable_routes(graph):
+        served, found = frozenset(graph.tau[list(route)].tolist()), best_times(graph, list(route))[0]
+        if found < shortest.get(served, (math.inf,))[0]:
+            shortest[served] = found, route
+    best = {frozenset(): (0.0, ())}
+    for _ in range(n_agents):
+        longer = dict(best)
+        for (done, (length, routes)), (served, (own, route)) in itertools.product(best.items(), shortest.items()):
+            if not done & served and length + own < longer.get(done | served, (math.inf,))[0]:
+                longer[done | served] = length + own, (*routes, route)
+        best = longer
+    return best.get(frozenset(range(graph.n_targets)), (math.inf, ()))

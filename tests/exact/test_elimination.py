@@ -1,0 +1,68 @@
+"""Elimination by reduced cost: what an optimal solution flies along is never dropped, much else is."""
+
+import itertools
+
+import numpy as np
+import pytest
+from exact.networks import best_solution, network_of, pieces_at, random_cuts, random_sets, small
+
+from mamttsp.exact import ngsets
+from mamttsp.exact.column_generation import ColumnGeneration
+from mamttsp.exact.evaluation import evaluate
+from mamttsp.exact.parameters import Parameters
+from mamttsp.options import Watch
+from mamttsp.timing import best_times
+
+CASES = [(seed, m) for seed in range(6) for m in (1, 2, 3)]
+
+
+def _assert_flown(network, graph, routes):
+    """The network holds pieces, arcs, starts and ends for the routes at their best times."""
+    pieces = network.pieces
+    arcs = set(zip(network.arcs.tail.tolist(), network.arcs.head.tolist()))
+    for route in routes:
+        ways = [(q,) for q in pieces_at(pieces, route[0], best_times(graph, list(route))[1][0]) if network.starts[q]]
+        for i, time in list(zip(route, best_times(graph, list(route))[1]))[1:]:
+            ways = [(*way, r) for way in ways for r in pieces_at(pieces, i, time) if (way[-1], r) in arcs]
+        assert any(network.ends[way[-1]] for way in ways), route
+
+
+@pytest.mark.parametrize("seed, n_agents", CASES)
+def test_at_any_prices_an_optimal_solution_stays(seed, n_agents):
+    rng, graph = np.random.default_rng(seed), small(seed)
+    length, routes = best_solution(graph, n_agents)
+    network, n = network_of(graph, 6.0), graph.n_targets
+    for share in (0.2, 0.6, 1.0):
+        pi = rng.uniform(1 - share, 1 + share, n) * length / n
+        cuts, N = random_cuts(rng, n, 2), random_sets(rng, n)
+        evaluation = evaluate(network, ngsets.as_words(N), pi, cuts, n_agents, 0.0)
+        _assert_flown(evaluation.eliminated(length * (1 + 1e-7), 0.0), graph, routes)
+
+
+@pytest.mark.parametrize("seed, n_agents", CASES)
+def test_at_good_prices_little_else_stays(seed, n_agents):
+    graph = small(seed)
+    length, routes = best_solution(graph, n_agents)
+    network, n = network_of(graph, 3.0), graph.n_targets
+    generation = ColumnGeneration(network, n, n_agents, np.full(n, length / n), Parameters(), graph.size)
+    with Watch() as clock:
+        generation.run(length, clock, lambda evaluation: None)
+    left = generation.best.eliminated(length * (1 + 1e-7), generation.tolerance)
+    _assert_flown(left, graph, routes)
+    assert len(left.arcs.head) < 0.3 * len(network.arcs.head)
+
+
+@pytest.mark.parametrize("seed, n_agents", CASES)
+def test_elimination_round_after_round_keeps_it(seed, n_agents):
+    """What the first prices drop is missing from the evaluation at the second ones, and still nothing is lost."""
+    rng, graph = np.random.default_rng(seed), small(seed)
+    length, routes = best_solution(graph, n_agents)
+    network, n = network_of(graph, 6.0), graph.n_targets
+    sizes = [len(network.arcs.head)]
+    for _ in range(4):
+        pi = rng.uniform(0.5, 1.5, n) * length / n
+        evaluation = evaluate(network, ngsets.as_words(random_sets(rng, n)), pi, random_cuts(rng, n, 1), n_agents, 0.0)
+        network = evaluation.eliminated(length * (1 + 1e-7), 0.0)
+        _assert_flown(network, graph, routes)
+        sizes.append(len(network.arcs.head))
+    assert all(after <= before for before, after in itertools.pairwise(sizes)) and sizes[-1] < sizes[0]
