@@ -186,9 +186,9 @@ def extend(old, pieces, arcs, prices, lists, limit, most, budget):
                 continue
             links[linked, 1] = count
             linked += 1
+            if count >= most:
+                return new, links[:0], tried, False
             if count == len(new.left):
-                if count >= most:
-                    return new, links[:0], tried, False
                 new = _grown(new)
                 following = np.concatenate((following, np.empty_like(following)))
                 heir = np.concatenate((heir, np.full(len(heir), -1, np.int32)))

@@ -305,7 +305,8 @@ def trace(side, prices, lists, q, x, longest):
             r = side.head[k]
             w = side.target[r]
             for y in range(lists.first[r], lists.first[r] + lists.count[r]):
-                if has(lists.memory, y, u):
+                odd = (lists.parity[y] ^ prices.inside[w]) & prices.kept[u]
+                if has(lists.memory, y, u) or odd & ~lists.parity[x]:
                     continue
                 low, high = before_leg(
                     side.leg[k, 0], side.leg[k, 1], side.leg[k, 2], lists.left[y], lists.right[y], side.width[q],
@@ -329,8 +330,8 @@ def trace(side, prices, lists, q, x, longest):
 
 @njit(cache=True)
 def value_along(side, prices, route):
-    """Return (left, right) of the values to go at the first piece of a route of pieces, and how often it pays each
-    subset-row cut."""
+    """Return (left, right, times): the values to go at the first piece of a route of pieces, with what its own visit
+    pays of the subset-row cuts, and how often the route pays each of them."""
     K = len(route)
     left, right = side.end[route[K - 1]]
     times, odd = np.zeros(64), np.uint64(0)
@@ -351,6 +352,8 @@ def value_along(side, prices, route):
             times[bit] += (hits >> np.uint64(bit)) & np.uint64(1)
         odd = (odd ^ prices.inside[w]) & prices.kept[side.target[q]]
     hits = odd & prices.inside[side.target[route[0]]]
+    pay = penalty(hits, prices.sigma)
+    left, right = left + pay, right + pay
     for bit in range(64):
         times[bit] += (hits >> np.uint64(bit)) & np.uint64(1)
     return left, right, times

@@ -4,8 +4,8 @@ import itertools
 
 import numpy as np
 import pytest
-from exact.enumeration import optimum
-from exact.networks import network_of, pays, random_cuts, random_sets, small
+from tests.exact.enumeration import optimum
+from tests.exact.networks import network_of, pays, random_cuts, random_sets, small
 
 from mamttsp import build_graph, generate
 from mamttsp.exact import ngsets
@@ -73,5 +73,5 @@ def test_a_columns_length_does_not_depend_on_prices_of_cuts(seed):
 
 
 def _lengths(evaluation):
-    routes, lengths, _, _ = evaluation.columns(1000, 1000, 15)
-    return [tuple(route.tolist()) for route in routes], lengths
+    routes, _ = evaluation.columns(1000, 1000, 15)
+    return [tuple(route.tolist()) for route in routes], [evaluation.length(route) for route in routes]

@@ -4,7 +4,7 @@ import itertools
 
 import numpy as np
 import pytest
-from exact.networks import best_solution, network_of, pieces_at, random_cuts, random_sets, small
+from tests.exact.networks import best_solution, network_of, pieces_at, random_cuts, random_sets, small
 
 from mamttsp.exact import ngsets
 from mamttsp.exact.column_generation import ColumnGeneration

@@ -2,7 +2,16 @@
 
 import numpy as np
 import pytest
-from exact.networks import best_solution, flyable_routes, in_full, network_of, pays, random_cuts, random_sets, small
+from tests.exact.networks import (
+    best_solution,
+    flyable_routes,
+    in_full,
+    network_of,
+    pays,
+    random_cuts,
+    random_sets,
+    small,
+)
 
 from mamttsp.exact import ngsets
 from mamttsp.exact.enumeration import Enumeration

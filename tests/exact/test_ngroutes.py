@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from exact.networks import (
+from tests.exact.networks import (
     in_full, network_of, pays, pieces_at, random_cuts, random_sets, small, timed_routes,
 )  # fmt: skip
 from hypothesis import given
@@ -100,7 +100,8 @@ def test_every_real_routes_rest_costs_at_least_its_value_to_go(seed, width):
             odd = sum(1 << c for c, row in enumerate(cuts.rows) if row[done].sum() % 2)
             for q in pieces_at(network.pieces, i, time):
                 fitting = [
-                    _at(network.pieces, q, time, left, right) + ngroutes.penalty(np.uint64(odd & int(parity)), cuts.words[2])
+                    _at(network.pieces, q, time, left, right)
+                    + ngroutes.penalty(np.uint64(odd & int(parity)), cuts.words[2])
                     for memory, parity, left, right in _entries(lists, q)
                     if not memory & set(done)
                 ]

@@ -4,9 +4,9 @@ import dataclasses
 import functools
 
 import pytest
-from exact.certificates import assert_brackets, assert_certificate, assert_sound
-from exact.enumeration import optimum
-from meetings import passing, three_at_one_point, two_on_one_path
+from tests.exact.certificates import assert_brackets, assert_certificate, assert_sound
+from tests.exact.enumeration import optimum
+from tests.meetings import passing, three_at_one_point, two_on_one_path
 
 from mamttsp import Progress, generate
 from mamttsp.exact import Parameters, solve_exact
@@ -81,7 +81,9 @@ def test_the_paths_are_those_that_are_meant():
     usual = _phases(problem, Parameters())
     assert "settle" in usual and "labels" not in usual
     assert "labels" in _phases(problem, Parameters(**FORCED["no enumeration fits at first"]))
-    assert _phases(problem, Parameters(**FORCED["nothing but shorter pieces"])).count("elimination") > usual.count("elimination")
+    assert _phases(problem, Parameters(**FORCED["nothing but shorter pieces"])).count("elimination") > usual.count(
+        "elimination"
+    )
     assert "settle" not in _phases(problem, Parameters(few_sets=0))
 
 
