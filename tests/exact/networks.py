@@ -62,7 +62,7 @@ def random_times(graph, route, rng):
 
 
 def timed_routes(graph, rng, draws=3):
-    """Yield (route, times, legs) of all flyable routes, at random times and at the best ones; legs: (K + 1,) lengths."""
+    """Yield (route, times, legs) of all flyable routes, at random and at the best times; legs: (K + 1,) lengths."""
     for route in flyable_routes(graph):
         drawn = [random_times(graph, route, rng) for _ in range(draws)] + [best_times(graph, list(route))[1]]
         for times in drawn:

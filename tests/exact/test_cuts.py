@@ -4,13 +4,13 @@ import itertools
 
 import numpy as np
 import pytest
-from tests.exact.enumeration import optimum
-from tests.exact.networks import network_of, pays, random_cuts, random_sets, small
 
 from mamttsp import build_graph, generate
 from mamttsp.exact import ngsets
 from mamttsp.exact.cuts import Cuts, separate
 from mamttsp.exact.evaluation import evaluate
+from tests.exact.enumeration import optimum
+from tests.exact.networks import network_of, pays, random_cuts, random_sets, small
 
 SEEDS = range(8)
 

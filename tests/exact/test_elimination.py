@@ -4,7 +4,6 @@ import itertools
 
 import numpy as np
 import pytest
-from tests.exact.networks import best_solution, network_of, pieces_at, random_cuts, random_sets, small
 
 from mamttsp.exact import ngsets
 from mamttsp.exact.column_generation import ColumnGeneration
@@ -12,6 +11,7 @@ from mamttsp.exact.evaluation import evaluate
 from mamttsp.exact.parameters import Parameters
 from mamttsp.options import Watch
 from mamttsp.timing import best_times
+from tests.exact.networks import best_solution, network_of, pieces_at, random_cuts, random_sets, small
 
 CASES = [(seed, m) for seed in range(6) for m in (1, 2, 3)]
 

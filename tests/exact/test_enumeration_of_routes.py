@@ -2,6 +2,12 @@
 
 import numpy as np
 import pytest
+
+from mamttsp.exact import ngsets
+from mamttsp.exact.enumeration import Enumeration
+from mamttsp.exact.evaluation import evaluate
+from mamttsp.exact.sets import members
+from mamttsp.timing import best_times
 from tests.exact.networks import (
     best_solution,
     flyable_routes,
@@ -12,12 +18,6 @@ from tests.exact.networks import (
     random_sets,
     small,
 )
-
-from mamttsp.exact import ngsets
-from mamttsp.exact.enumeration import Enumeration
-from mamttsp.exact.evaluation import evaluate
-from mamttsp.exact.sets import members
-from mamttsp.timing import best_times
 
 CASES = [(seed, m) for seed in range(6) for m in (1, 2)]
 
@@ -74,7 +74,7 @@ def test_every_route_within_the_slack_is_a_sequence_of_its_set(seed, n_agents):
 
 @pytest.mark.parametrize("seed, n_agents", CASES)
 def test_every_column_can_be_flown(seed, n_agents):
-    graph, length, _, evaluation = _evaluation(seed, n_agents)
+    graph, _, _, evaluation = _evaluation(seed, n_agents)
     found, flyable = _enumeration(evaluation, 1e9), set(flyable_routes(graph))
     assert len(found.cost) and all(found.segments(column) in flyable for column in range(len(found.cost)))
     assert {frozenset(graph.tau[list(route)].tolist()) for route in flyable} == _cost_by_set(found).keys()

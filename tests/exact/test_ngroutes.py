@@ -5,9 +5,6 @@ import math
 
 import numpy as np
 import pytest
-from tests.exact.networks import (
-    in_full, network_of, pays, pieces_at, random_cuts, random_sets, small, timed_routes,
-)  # fmt: skip
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -16,6 +13,16 @@ from mamttsp.exact.cuts import Cuts
 from mamttsp.exact.evaluation import evaluate
 from mamttsp.exact.legs import after_leg, before_leg, least, share_before, tangent
 from mamttsp.exact.sets import members
+from tests.exact.networks import (
+    in_full,
+    network_of,
+    pays,
+    pieces_at,
+    random_cuts,
+    random_sets,
+    small,
+    timed_routes,
+)  # fmt: skip
 
 SEEDS = range(6)
 WIDTHS = (50.0, 7.0)

@@ -4,13 +4,13 @@ import dataclasses
 import functools
 
 import pytest
-from tests.exact.certificates import assert_brackets, assert_certificate, assert_sound
-from tests.exact.enumeration import optimum
-from tests.meetings import passing, three_at_one_point, two_on_one_path
 
 from mamttsp import Progress, generate
 from mamttsp.exact import Parameters, solve_exact
 from mamttsp.options import Options
+from tests.exact.certificates import assert_brackets, assert_certificate, assert_sound
+from tests.exact.enumeration import optimum
+from tests.meetings import passing, three_at_one_point, two_on_one_path
 
 FORCED = {
     "no enumeration fits at first": {"first_labels": 1, "most_labels": 10**6, "pieces_each": 4},
@@ -29,16 +29,19 @@ FORCED = {
     "pieces get much shorter": {"finer": 8.0, "finer_after_routes": 8.0, "pieces_each": 2},
     "few pieces fit": {"most_pieces": 60, "pieces_each": 3, "first_labels": 1},
 }
+GENERATED = ((3, 60, 1, 0), (4, 40, 2, 1), (5, 60, 1, 2), (5, 40, 2, 3), (6, 60, 3, 4), (6, 20, 2, 5), (6, 60, 2, 6))
 INSTANCES = {
-    **{f"{n} targets, {w} s, {m} agents, seed {seed}": functools.partial(generate, n, w, m, seed=seed)
-       for n, w, m, seed in ((3, 60, 1, 0), (4, 40, 2, 1), (5, 60, 1, 2), (5, 40, 2, 3), (6, 60, 3, 4), (6, 20, 2, 5), (6, 60, 2, 6))},
+    **{
+        f"{n} targets, {w} s, {m} agents, seed {seed}": functools.partial(generate, n, w, m, seed=seed)
+        for n, w, m, seed in GENERATED
+    },
     "two pass each other": functools.partial(passing, 0.0),
     "three at one point": three_at_one_point,
     "two on one path": two_on_one_path,
 }  # fmt: skip
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def _known(name):
     problem = INSTANCES[name]()
     return problem, optimum(problem)
