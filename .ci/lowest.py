@@ -1,4 +1,4 @@
-"""Print the lowest versions that pyproject.toml allows, one pin a line: of the package itself and of each extra named."""
+"""Print the lowest versions that pyproject.toml allows, one pin a line: of the package and of each extra named."""
 
 import re
 import sys

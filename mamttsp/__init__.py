@@ -13,7 +13,7 @@ from .solution import Solution
 from .solve import solve
 from .tours import Tour, TourError, Visit, check
 from .validation import InputError
-from .versions import VERSION as __version__
+from .versions import VERSION as __version__  # noqa: F401
 
 if TYPE_CHECKING:
     from . import figures

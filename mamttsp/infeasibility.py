@@ -57,7 +57,7 @@ def _can_be_flown(graph, order):
 
 
 def _routes(graph, order):
-    """Yield the routes (tuples of segments) through these targets in order, for each type of agents that can bear it."""
+    """Yield the routes (tuples of segments) through these targets in order, for each type that can bear it."""
     for layer in np.flatnonzero(graph.demands[order].sum() <= graph.room):
         yield from itertools.product(*([i for i in graph.C(u).tolist() if graph.layer[i] == layer] for u in order))
 

@@ -228,9 +228,8 @@ class Instance:
 
         >>> import pandas
         >>> from mamttsp import Instance
-        >>> breakpoints = pandas.DataFrame(
-        ...     [["tanker", 0, 30, 0], ["tanker", 60, 30, 30], ["buoy", 0, -20, 10]], columns=["target", "time", "x", "y"]
-        ... )
+        >>> bends = [["tanker", 0, 30, 0], ["tanker", 60, 30, 30], ["buoy", 0, -20, 10]]
+        >>> breakpoints = pandas.DataFrame(bends, columns=["target", "time", "x", "y"])
         >>> windows = pandas.DataFrame([["tanker", 10, 30], ["buoy", 40, 60]], columns=["target", "start", "end"])
         >>> instance = Instance.from_frames(breakpoints, windows, horizon=100, n_agents=1, depot=(0, 0), max_speed=4)
         >>> instance.targets[0].position(20).tolist(), instance.targets[1].position(50).tolist()
@@ -355,7 +354,7 @@ def _check_big_m(instance):
     """Reject a big-M that would forbid flights: it must be at least the distance between any two points."""
     corners = instance._corners()
     farthest = np.linalg.norm(corners[:, None] - corners, axis=-1).max()
-    if instance.R < farthest:
+    if farthest > instance.R:
         raise InputError(
             f"R: {instance.R:g} is less than {farthest:g}, the distance between two points of depot and paths; "
             "leave it out, or give the diagonal of the area"

@@ -39,9 +39,7 @@ def visits(instance: Instance, solution: Iterable[Tour] | HasTours) -> "pandas.D
     return pandas.DataFrame(list(_rows(instance, as_tours(solution))), columns=_COLUMNS)
 
 
-def plot(
-    instance: Instance, solution: Iterable[Tour] | HasTours | None = None, ax: "Axes | None" = None
-) -> "Axes":
+def plot(instance: Instance, solution: Iterable[Tour] | HasTours | None = None, ax: "Axes | None" = None) -> "Axes":
     """Draw an instance from above, with the tours of a solution if there is one, and return the axes.
 
     solution: a Solution, or tours. `mamttsp.figures` has more drawings, and `figures.save` to write one to a file.

@@ -125,7 +125,9 @@ class Watch(Clock):
 def _number(name, value, least, strict=False):
     good = isinstance(value, Real) and not isinstance(value, bool) and math.isfinite(value)
     if not good or value < least or (strict and value == least):
-        raise InputError(f"{name}: expected a number {'above' if strict else 'of at least'} {least:g}, found {brief(value)}")
+        raise InputError(
+            f"{name}: expected a number {'above' if strict else 'of at least'} {least:g}, found {brief(value)}"
+        )
 
 
 def _whole(name, value, least):

@@ -72,7 +72,16 @@ def _magnitudes(program, graph, n_agents):
     T = graph.horizon
     farthest = max(np.abs(graph.p_lo).max(), np.abs(graph.p_hi).max())
     load = graph.room.max()
-    bounds = {"y": 1.0, "alpha": n_agents, "q": load, "t": T, "z_t": T, "z_t_prime": T, "z_p": farthest, "z_p_prime": farthest}
+    bounds = {
+        "y": 1.0,
+        "alpha": n_agents,
+        "q": load,
+        "t": T,
+        "z_t": T,
+        "z_t_prime": T,
+        "z_p": farthest,
+        "z_p_prime": farthest,
+    }
     magnitudes = np.full(len(program.c), graph.size + graph.R)  # l, l_xy and l_bar, which is at most l + R
     for name in bounds.keys() & program.columns.keys():
         magnitudes[program.columns[name]] = bounds[name]

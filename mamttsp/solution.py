@@ -34,7 +34,7 @@ class Solution:
     flies. reason: of an infeasible instance, why it is, or that nothing short says so; None else.
 
     >>> from mamttsp import Solution
-    >>> solution = Solution("feasible", objective=125.0, bound=100.0, runtime=60.0, tours=(), method="micp", solver="scip")
+    >>> solution = Solution("feasible", objective=125.0, bound=100.0, runtime=60.0, tours=(), method="", solver="")
     >>> solution.gap
     0.2
     >>> Solution.from_dict(solution.to_dict()) == solution

@@ -160,7 +160,7 @@ def _program(graph, route):
     return np.r_[none[1:], ones], A, b, (0, 3 * K + 1), bounds
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def _pattern(K):
     """Return (row of each entry, ends of the columns, order): where A of a program of K visits has entries, column by
     column, and the order that sorts its values so."""

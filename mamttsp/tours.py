@@ -102,7 +102,9 @@ def as_tours(tours: Iterable[Tour] | HasTours, name: str = "tours") -> tuple[Tou
     given = tuple(given)
     for k, tour in enumerate(given):
         if not isinstance(tour, Tour) or not isinstance(tour.visits, (tuple, list)) or not _real(tour.return_time):
-            raise InputError(f"{name}[{k}]: expected a Tour, its visits a tuple and return_time in s, found {brief(tour)}")
+            raise InputError(
+                f"{name}[{k}]: expected a Tour, its visits a tuple and return_time in s, found {brief(tour)}"
+            )
         if tour.agent is not None and (isinstance(tour.agent, bool) or not isinstance(tour.agent, Integral)):
             raise InputError(f"{name}[{k}].agent: expected a whole number or None, found {brief(tour.agent)}")
         for i, visit in enumerate(tour.visits):

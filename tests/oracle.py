@@ -22,7 +22,9 @@ def optimum(instance):
     best = {frozenset(): 0.0}  # with no agent so far, only the empty set can be visited
     for entry in instance.agents:
         alone = dataclasses.replace(entry, count=1, capacity=None)
-        one = Instance([_without_demand(target) for target in instance.targets], agents=[alone], horizon=instance.horizon)
+        one = Instance(
+            [_without_demand(target) for target in instance.targets], agents=[alone], horizon=instance.horizon
+        )
         shortest = {frozenset(): 0.0} | _carried(instance, entry, shortest_tours(one))
         for _ in range(entry.count):
             best = {
@@ -39,7 +41,9 @@ def _without_demand(target):
 def _carried(instance, entry, tours):
     """Return those of the tours {set of targets: length} whose demands are within the capacity of an agent."""
     limit = math.inf if entry.capacity is None else entry.capacity
-    return {S: length for S, length in tours.items() if math.fsum(instance.targets[u].demand for u in S) <= limit + 1e-9}
+    return {
+        S: length for S, length in tours.items() if math.fsum(instance.targets[u].demand for u in S) <= limit + 1e-9
+    }
 
 
 def subsets(items):
@@ -49,7 +53,7 @@ def subsets(items):
     ]
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def shortest_tours(instance):
     """Return {set of targets: length of the shortest tour of one agent through them}, for the sets that one can fly."""
     graph = build_graph(instance)

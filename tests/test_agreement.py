@@ -35,7 +35,9 @@ def test_every_route_finds_the_optimum_of_larger_instances(n, window, m, seed, r
 
 def test_the_number_of_agents_matters_somewhere():
     """Without such instances the agreement would say nothing of how formulations share targets out."""
-    saved = [optimum(generate(n, w, 1, seed)) > 1.001 * optimum(generate(n, w, m, seed)) for n, w, m, seed in FAST if m > 1]
+    saved = [
+        optimum(generate(n, w, 1, seed)) > 1.001 * optimum(generate(n, w, m, seed)) for n, w, m, seed in FAST if m > 1
+    ]
     assert sum(saved) >= 3
 
 

@@ -24,14 +24,14 @@ def test_the_paper_s_numbers(n, seed, total_window):
     instance = generate(n, total_window, n_agents=2, seed=seed)
     assert (instance.n_targets, instance.n_agents, instance.max_speed, instance.horizon) == (n, 2, 4.0, 150.0)
     assert instance.depot.tolist() == [0.0, 0.0]
-    assert instance.R == pytest.approx(math.hypot(100.0, 100.0))  # the diagonal of the square
+    assert pytest.approx(math.hypot(100.0, 100.0)) == instance.R  # the diagonal of the square
 
 
 @given(sizes, seeds)
 def test_targets_keep_one_speed_in_the_range_and_stay_inside_the_square(n, seed):
     for target in generate(n, 40, seed=seed).targets:
         assert np.ptp(target.speeds) < 1e-7
-        assert 0.5 - 1e-7 <= target.speeds.min() and target.speeds.max() <= 1 + 1e-7
+        assert target.speeds.min() >= 0.5 - 1e-7 and target.speeds.max() <= 1 + 1e-7
         assert np.abs(target.points).max() <= 50
         assert target.times[0] == 0 and target.times[-1] == 150 and len(target.times) == 5
 

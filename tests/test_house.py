@@ -1,4 +1,4 @@
-"""Who may live where: imports run one way, each room knows those before it in its list only; and a name has one home."""
+"""Who may live where: imports run one way, each room knows those before it in its list; and a name has one home."""
 
 import ast
 from collections import Counter
@@ -9,8 +9,8 @@ import pytest
 PACKAGE = Path(__file__).parents[1] / "mamttsp"
 #: by folder of the package: its modules and folders in order
 ORDER = {
-    "": """schemas validation compiled motion random_order jsonfile paths agents instance graph tours conic_solver timing
-        infeasibility generate library readers tracks solution_table solution flow
+    "": """schemas validation compiled motion random_order jsonfile paths agents instance graph tours conic_solver
+        timing infeasibility generate library readers tracks solution_table solution flow
         options display versions figures look
         formulations branch_and_bound backends exact warm_up relaxation cut_loop plain_model start solve
         experiments study arguments __main__""",

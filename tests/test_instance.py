@@ -1,4 +1,4 @@
-"""Target and Instance: what they hold, their file, and every kind of bad input, in the library and on the command line."""
+"""Target and Instance: what they hold, their file, every kind of bad input, in the library and on the command line."""
 
 import dataclasses
 import json
@@ -57,7 +57,7 @@ def test_an_instance_may_carry_the_big_m_of_its_area(tmp_path):
 
 
 def test_the_big_m_of_a_graph_is_the_instance_s_own_or_its_size():
-    assert build_graph(GOOD).R == GOOD.size
+    assert GOOD.size == build_graph(GOOD).R
     assert build_graph(dataclasses.replace(GOOD, R=250)).R == 250.0
 
 
@@ -270,7 +270,7 @@ BAD = {
 }
 
 
-# --- Bad input of version 2 --------------------------------------------------------------------------------------------
+# --- Bad input of version 2 ------------------------------------------------------------------------------------------
 
 
 def _two(**fields):

@@ -49,8 +49,23 @@ def test_generate_solve_check(tmp_path, capsys):
 
 def test_generate_types_and_demands(tmp_path, capsys):
     problem = str(tmp_path / "instance.json")
-    first, second = ["count=2", "depot=0,0", "max_speed=4"], ["count=1", "depot=40,0", "max_speed=6", "end=0,0", "capacity=5"]
-    command = ["generate", "--targets", "3", "--window", "20", "--type", *first, "--type", *second, "--demands", "1,2,3"]
+    first, second = (
+        ["count=2", "depot=0,0", "max_speed=4"],
+        ["count=1", "depot=40,0", "max_speed=6", "end=0,0", "capacity=5"],
+    )
+    command = [
+        "generate",
+        "--targets",
+        "3",
+        "--window",
+        "20",
+        "--type",
+        *first,
+        "--type",
+        *second,
+        "--demands",
+        "1,2,3",
+    ]
     assert main([*command, "-o", problem]) == 0
     assert capsys.readouterr().out == f"{problem}: 3 targets, 3 agents\n"
     instance = Instance.read(problem)
@@ -123,7 +138,10 @@ def test_options_reach_solve(problem, monkeypatch):
         (["generate", "--targets", "0", "--window", "20", "-o", "i.json"], "n_targets: expected a whole number"),
         (["generate", "--targets", "2", "--window", "20", "-o", "no/folder/i.json"], "there is no folder"),
         (_TYPES, "--type 0.max_speed: missing"),
-        ([*_TYPES, "max_speed=fast"], "--type 0.max_speed: expected a number, or numbers with commas between them, found 'fast'"),
+        (
+            [*_TYPES, "max_speed=fast"],
+            "--type 0.max_speed: expected a number, or numbers with commas between them, found 'fast'",
+        ),
         ([*_TYPES, "max_speed=4", "speed=4"], "--type 0.speed: unknown; an entry has count"),
         ([*_TYPES, "max_speed=4", "--agents", "2"], "--agents: give either --agents or --type"),
         ([*_TYPES, "max_speed=4", "--demands", "1,2"], "demands: expected the shape 3, found 2"),
@@ -197,7 +215,9 @@ def test_an_infeasible_instance_is_told_why(tmp_path, capsys):
     assert f"status        infeasible\nreason        {reason}\n" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize("suffix, start", [("png", b"\x89PNG"), ("pdf", b"%PDF"), ("svg", b"<?xml"), ("gif", b"GIF89a")])
+@pytest.mark.parametrize(
+    "suffix, start", [("png", b"\x89PNG"), ("pdf", b"%PDF"), ("svg", b"<?xml"), ("gif", b"GIF89a")]
+)
 def test_plot_draws_an_instance_and_a_solution(suffix, start, problem, tmp_path, capsys):
     answer, picture = str(tmp_path / "s.json"), tmp_path / f"p.{suffix}"
     Solution("feasible", 40.0, None, 1.0, (EAST, NORTH), "exact", "none").write(answer)
@@ -265,7 +285,7 @@ def test_progress_in_words():
     line = format_progress(Progress(1.25, 200.0, 150.0, 0.25, 12, "scip"))
     assert line == "    1.2 s  incumbent 200.0000  bound 150.0000  gap 25.00 %  nodes 12  scip"
     empty = format_progress(Progress(0.0, None, None, None, None, "dive"))
-    assert empty.split() == "0.0 s incumbent - bound - gap - dive".split()
+    assert empty.split() == ["0.0", "s", "incumbent", "-", "bound", "-", "gap", "-", "dive"]
 
 
 class _Terminal(io.StringIO):

@@ -28,7 +28,11 @@ def _mapped(original, to_place, time_scale=1.0, speed_scale=1.0):
     """Return the instance with every place mapped, and times and the agents' speed scaled."""
     targets = [Target(t.times * time_scale, to_place(t.points), t.windows * time_scale) for t in original.targets]
     return Instance(
-        targets, original.n_agents, to_place(original.depot), original.max_speed * speed_scale, original.horizon * time_scale
+        targets,
+        original.n_agents,
+        to_place(original.depot),
+        original.max_speed * speed_scale,
+        original.horizon * time_scale,
     )
 
 

@@ -31,7 +31,17 @@ def test_travel_time_by_hand():
 
 
 @settings(max_examples=100)
-@given(coordinate, coordinate, coordinate, coordinate, velocity, velocity, st.floats(0, 30), st.floats(0, 40), st.floats(0, 30))
+@given(
+    coordinate,
+    coordinate,
+    coordinate,
+    coordinate,
+    velocity,
+    velocity,
+    st.floats(0, 30),
+    st.floats(0, 40),
+    st.floats(0, 30),
+)
 def test_the_earliest_meeting_is_the_first_moment_within_reach(px, py, qx, qy, vx, vy, t, start, length):
     end = start + length
     found = earliest_meeting(px, py, t, qx, qy, 5.0, vx, vy, start, end, SPEED)
@@ -45,7 +55,7 @@ def test_the_earliest_meeting_is_the_first_moment_within_reach(px, py, qx, qy, v
         assert start <= found <= end
         assert math.hypot(qx + (found - 5.0) * vx - px, qy + (found - 5.0) * vy - py) <= SPEED * (found - t) + 1e-6
         assert not len(reachable) or found <= reachable[0] + 1e-6
-        assert found >= end - step or len(reachable) and found >= reachable[0] - step
+        assert found >= end - step or (len(reachable) and found >= reachable[0] - step)
 
 
 @pytest.mark.parametrize(

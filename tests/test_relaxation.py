@@ -49,7 +49,7 @@ def test_the_baselines_relaxation_is_zero(modeler, n, window, m, seed):
 
 
 def test_the_proof_of_the_baseline_s_bound_allows_for_its_big_m():
-    """At tours, where every l_bar that is not flown is R or more, no variable is larger than the proof takes it to be."""
+    """At tours, where every l_bar not flown is R or more, no variable is larger than the proof takes it to be."""
     wide = dataclasses.replace(generate(3, 20, 2, seed=3), R=5000.0)
     formulation = build_formulation("baseline", "cvxpy", build_graph(wide), 2)
     program = formulation.conic_program()  # before there are values: it takes them away

@@ -27,7 +27,14 @@ SOLUTION = Solution(
 
 @pytest.mark.parametrize(
     "objective, bound, gap",
-    [(100.0, 75.0, 0.25), (100.0, 100.0, 0.0), (100.0, 100.000001, 0.0), (None, 1.0, None), (1.0, None, None), (0.0, 0.0, 0.0)],
+    [
+        (100.0, 75.0, 0.25),
+        (100.0, 100.0, 0.0),
+        (100.0, 100.000001, 0.0),
+        (None, 1.0, None),
+        (1.0, None, None),
+        (0.0, 0.0, 0.0),
+    ],
 )
 def test_the_gap_is_a_share_of_the_objective(objective, bound, gap):
     assert relative_gap(objective, bound) == gap

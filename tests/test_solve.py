@@ -67,7 +67,10 @@ def test_a_target_at_the_depot_costs_nothing():
         ({"method": "micp", "solver": "magic"}, "solver: expected one of scip, clarabel"),
         ({"method": "micp", "modeler": "magic"}, "modeler: expected one of pyomo, cvxpy, found 'magic'"),
         ({"method": "nonconvex", "modeler": "cvxpy"}, "modeler: cvxpy cannot state method nonconvex"),
-        ({"method": "baseline", "solver": "clarabel"}, "solver: clarabel does not solve baseline; it solves: cvxpy micp"),
+        (
+            {"method": "baseline", "solver": "clarabel"},
+            "solver: clarabel does not solve baseline; it solves: cvxpy micp",
+        ),
         ({"solver": "scip"}, 'solver: method "exact" has none'),
         ({"modeler": "pyomo"}, 'modeler: method "exact" has none'),
         ({"subtour_cuts": False}, "subtour_cuts: False leaves out"),

@@ -95,20 +95,35 @@ ALONE = [Tour((Visit(u, t, p),), home, agent=0) for u, t, p, home in (
     (0, 2.5, (10.0, 0.0), 9.0), (1, 2.5, (0.0, 10.0), 5.0), (2, 2.5, (-10.0, 0.0), 9.0),
 )]  # fmt: skip
 UNLIKE_DAMAGE = {
-    "from another depot": ([dataclasses.replace(EAST, agent=0), WEST_NORTH], "tour 0, to its end: .* faster than max_speed 4"),
-    "back at the depot, not at the end": (_change([WEST_NORTH, EAST], 0, return_time=9.4), "to its end: 10 units in 2.4 s"),
-    "too fast for its type": (_change([WEST_NORTH, EAST], 0, 1, time=5.0), "14.1.* units in 2.5 s, faster than max_speed 4"),
-    "too fast even for the fast type": (_change([WEST_NORTH, EAST], 1, 0, time=3.7), "30 units in 3.7 s, faster than max_speed 8"),
+    "from another depot": (
+        [dataclasses.replace(EAST, agent=0), WEST_NORTH],
+        "tour 0, to its end: .* faster than max_speed 4",
+    ),
+    "back at the depot, not at the end": (
+        _change([WEST_NORTH, EAST], 0, return_time=9.4),
+        "to its end: 10 units in 2.4 s",
+    ),
+    "too fast for its type": (
+        _change([WEST_NORTH, EAST], 0, 1, time=5.0),
+        "14.1.* units in 2.5 s, faster than max_speed 4",
+    ),
+    "too fast even for the fast type": (
+        _change([WEST_NORTH, EAST], 1, 0, time=3.7),
+        "30 units in 3.7 s, faster than max_speed 8",
+    ),
     "a type used too often": (ALONE, "3 tours for 2 agents of type 0"),
     "idle agents that are not there": ([WEST_NORTH, EAST, Tour((), 0.0, 1)], "2 tours for 1 agent of type 1"),
-    "a type that does not exist": (_change([WEST_NORTH, EAST], 1, agent=2), "tour 1: agent 2 does not exist; there are 2 types"),
+    "a type that does not exist": (
+        _change([WEST_NORTH, EAST], 1, agent=2),
+        "tour 1: agent 2 does not exist; there are 2 types",
+    ),
     "a type below 0": (_change([WEST_NORTH, EAST], 1, agent=-1), "tour 1: agent -1 does not exist"),
     "no type": (_change([WEST_NORTH, EAST], 1, agent=None), "tour 1: its agent's type is not named; there are 2 types"),
     "too much load": (
         [Tour((Visit(0, 2.5, (10.0, 0.0)), Visit(1, 7.0, (0.0, 10.0))), 9.5, 0), dataclasses.replace(ALONE[2])],
         "tour 0: demands of 2.5 in all, above the capacity 2",
     ),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("damage", UNLIKE_DAMAGE)

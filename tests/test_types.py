@@ -26,7 +26,9 @@ def functions():
 @pytest.mark.parametrize("name, function", list(functions()))
 def test_all_types_are_said(name, function):
     signature = inspect.signature(function)
-    silent = [p.name for p in signature.parameters.values() if p.annotation is p.empty and p.name not in ("self", "cls")]
+    silent = [
+        p.name for p in signature.parameters.values() if p.annotation is p.empty and p.name not in ("self", "cls")
+    ]
     assert not silent and signature.return_annotation is not signature.empty
 
 

@@ -21,7 +21,9 @@ def solvers():
     lines = ["| solver | licence | Pyomo | cvxpy | start |", "|---|---|---|---|---|"]
     for solver, routes in SOLVERS.items():
         licence = "open" if solver in OPEN_SOLVERS else "commercial"
-        cells = (", ".join(f"`{method}`" for method in routes.get(modeler, ())) or "–" for modeler in ("pyomo", "cvxpy"))
+        cells = (
+            ", ".join(f"`{method}`" for method in routes.get(modeler, ())) or "–" for modeler in ("pyomo", "cvxpy")
+        )
         lines.append(f"| `{solver}` | {licence} | {' | '.join(cells)} | {'yes' if solver in STARTS else '–'} |")
     return "\n".join(lines)
 

@@ -10,7 +10,18 @@ from ..options import Options, Progress
 from .answer import Answer, SolverUnavailable
 from .registry import METHODS, MODELERS, SOLVERS, STARTS, choose
 
-__all__ = ["METHODS", "MODELERS", "SOLVERS", "STARTS", "Answer", "Options", "Progress", "SolverUnavailable", "backend", "choose"]
+__all__ = [
+    "METHODS",
+    "MODELERS",
+    "SOLVERS",
+    "STARTS",
+    "Answer",
+    "Options",
+    "Progress",
+    "SolverUnavailable",
+    "backend",
+    "choose",
+]
 
 
 def backend(name):

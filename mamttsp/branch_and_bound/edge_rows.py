@@ -5,7 +5,6 @@ import dataclasses
 import numpy as np
 from scipy import sparse
 
-
 #: variables of an edge that lie in an interval times y: (23), (24), and the load where capacities bind
 INTERVALS = ("z_t", "z_t_prime", "q")
 

@@ -24,9 +24,9 @@ from .validity import cycle_view, leak_view
 
 __all__ = [
     "COLOURS",
-    "Film",
     "LINES",
     "MARKERS",
+    "Film",
     "alive_view",
     "ascent_view",
     "cactus_view",

@@ -79,7 +79,9 @@ def film(instance, tours, step=3.0):
         moment_view(instance, tours, time, ax)
 
     moments = step * np.arange(np.ceil(last / step) + 1)
-    page = FuncAnimation(ax.figure, draw, moments, init_func=lambda: None).to_jshtml(fps=PER_SECOND, default_mode="once")
+    page = FuncAnimation(ax.figure, draw, moments, init_func=lambda: None).to_jshtml(
+        fps=PER_SECOND, default_mode="once"
+    )
     plt.close(ax.figure)
     page = page.replace("\\\n", "")  # pictures come in lines of 76 characters
     frames = re.findall(r'frames\[\d+\] = "data:image/png;base64,([^"]*)"', page)

@@ -96,7 +96,11 @@ def _flown(instance, tours):
             entry = agents_of(instance, tour)
             stops = [(*visit.position, visit.time) for visit in tour.visits]
             stops = [(*entry.depot, 0.0), *stops, (*entry.end, tour.return_time)]
-            style = {"color": COLOURS[k % len(COLOURS)], "linestyle": LINES[k % len(LINES)], "marker": MARKERS[k % len(MARKERS)]}
+            style = {
+                "color": COLOURS[k % len(COLOURS)],
+                "linestyle": LINES[k % len(LINES)],
+                "marker": MARKERS[k % len(MARKERS)],
+            }
             style |= {"linewidth": 1.8, "markersize": 6, "markevery": slice(1, -1), "zorder": 4}
             yield np.array(stops), style, f"tour {k} (type {tour.agent})" if len(instance.agents) > 1 else f"tour {k}"
 

@@ -12,7 +12,8 @@ from .style import COLOURS, DEPOT, LINES, MARKERS, PATH, WINDOW, once
 def cycle_view(instance, tours=(), cycles=(), ax=None):
     """Draw x against time, for targets, tours, and cycles that miss the depot, and return the axes.
 
-    tours: a Solution, or a sequence of Tour; cycles: sequences of Visit, each drawn as a loop around the place and time of its first visit.
+    tours: a Solution, or a sequence of Tour; cycles: sequences of Visit, each drawn as a loop around the
+    place and time of its first visit.
     """
     ax = ax or plt.figure(figsize=(8, 5), layout="constrained").add_subplot()
     for target, path, in_windows in target_parts(instance):

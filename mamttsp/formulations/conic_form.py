@@ -13,7 +13,8 @@ class ConicProgram:
 
     The first `n_zero` rows are zero, the next `n_nonneg` at least zero, and the rest come in triples (head, x, y) with
     head >= ||(x, y)||. columns: dict from a variable's name to the array of its columns, edges (or nodes) first; load:
-    puts a point x into the variables of the model; read: returns the point of the values that they have. A constant term of the objective is left out: ours have none.
+    puts a point x into the variables of the model; read: returns the point of the values that they have. A constant
+    term of the objective is left out: ours have none.
     """
 
     c: np.ndarray

@@ -54,6 +54,7 @@ def _fill(folder, three_agents):
 @pytest.fixture(scope="module")
 def drawn(tmp_path_factory, three_agents):
     """Build with a camera that looks at the figures instead of writing them: name to figure."""
+    plt.close("all")  # of other tests
     folder, figures = _fill(tmp_path_factory.mktemp("rows"), three_agents), {}
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(building, "save", lambda ax, path, dpi: figures.update({path.name: ax.figure}))

@@ -170,7 +170,9 @@ def test_ffmpeg_makes_a_film_that_it_can_read(short_film, tmp_path):
     assert (tmp_path / "tours.mp4").read_bytes()[4:8] == b"ftyp"
 
 
-@pytest.mark.parametrize("name, message", [("tours.avi", "a film is saved as"), ("no/folder/tours.gif", "cannot be written")])
+@pytest.mark.parametrize(
+    "name, message", [("tours.avi", "a film is saved as"), ("no/folder/tours.gif", "cannot be written")]
+)
 def test_a_film_that_cannot_be_saved_is_refused_in_one_line(name, message, short_film, tmp_path):
     with pytest.raises(InputError, match=f"{name}: {message}"):
         short_film.save(tmp_path / name)

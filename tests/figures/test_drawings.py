@@ -49,7 +49,9 @@ def test_the_legend_names_everything_once_and_idle_agents_too(view):
     assert _legend(view(INSTANCE, TOURS)) == expected
 
 
-UNLIKE = general(*INSTANCE.targets, types=[agents(2), agents(1, (30.0, 0.0), 8.0, end=(0.0, 0.0)), agents(1, end=(9.0, 9.0))])
+UNLIKE = general(
+    *INSTANCE.targets, types=[agents(2), agents(1, (30.0, 0.0), 8.0, end=(0.0, 0.0)), agents(1, end=(9.0, 9.0))]
+)
 
 
 @pytest.mark.parametrize("view", VIEWS)
@@ -143,7 +145,9 @@ def test_a_saved_drawing_is_the_same_each_time(view, tmp_path):
         assert first == second and first.startswith(start) and len(first) > 5000
 
 
-@pytest.mark.parametrize("suffix, start", [("pdf", b"%PDF"), ("png", b"\x89PNG"), ("svg", b"<?xml"), ("JPG", b"\xff\xd8")])
+@pytest.mark.parametrize(
+    "suffix, start", [("pdf", b"%PDF"), ("png", b"\x89PNG"), ("svg", b"<?xml"), ("JPG", b"\xff\xd8")]
+)
 def test_a_drawing_is_saved_in_the_format_of_its_suffix_and_the_same_each_time(suffix, start, tmp_path):
     for name in ("one", "two"):
         save(plan_view(INSTANCE, TOURS), tmp_path / f"{name}.{suffix}")
@@ -152,7 +156,9 @@ def test_a_drawing_is_saved_in_the_format_of_its_suffix_and_the_same_each_time(s
     assert first == second and first.startswith(start)
 
 
-@pytest.mark.parametrize("name, message", [("plan.doc", "expected one of .pdf"), ("no/folder/plan.png", "cannot be written")])
+@pytest.mark.parametrize(
+    "name, message", [("plan.doc", "expected one of .pdf"), ("no/folder/plan.png", "cannot be written")]
+)
 def test_a_file_that_cannot_be_is_named(name, message, tmp_path):
     with pytest.raises(InputError, match=rf"{name}: {message}"):
         save(plan_view(INSTANCE), tmp_path / name)

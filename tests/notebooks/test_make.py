@@ -5,10 +5,13 @@ import subprocess
 
 import nbformat
 import pytest
+
 from tests.notebooks.running import ROOT
 
 
-@pytest.mark.skipif(shutil.which("make") is None or not (ROOT / ".venv").exists(), reason="there is no make, or no .venv")
+@pytest.mark.skipif(
+    shutil.which("make") is None or not (ROOT / ".venv").exists(), reason="there is no make, or no .venv"
+)
 def test_the_output_is_clean(tmp_path):
     path = tmp_path / "one.ipynb"
     nbformat.write(nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell("6 * 7")]), path)

@@ -25,7 +25,7 @@ def test_every_family_is_shown_with_its_equation_as_it_stands(method):
 
 def test_the_objective_and_several_families_at_once():
     shown = source("baseline", "length", "speed")
-    assert shown.startswith('@m.Objective(doc="(1) ') and "\n\n@m.Constraint(E, V_agt, doc=\"(7) " in shown
+    assert shown.startswith('@m.Objective(doc="(1) ') and '\n\n@m.Constraint(E, V_agt, doc="(7) ' in shown
 
 
 def test_a_family_of_the_formulation_itself_comes_before_the_shared_one():

@@ -10,7 +10,7 @@ _LINE_EVERY = 60.0
 
 
 def campaign_bar(total, done, quiet=False, stream=None):
-    """Return a context manager with `update()`, for a run that is done, and `set_postfix_str(text)`, of those under way.
+    """Return a context manager with `update()`, for a run that is done, and `set_postfix_str(text)`, of those in work.
 
     total, done: how many runs there are, and how many of them were done before; stream: standard error if None.
     """

@@ -46,8 +46,9 @@ def _constraint(row, twins):
 
 def _cone(repn, twins):
     """Return x^2 + y^2 - r^2 <= 0 with r >= 0 as a second-order cone."""
-    squares = [(twins[id(a)], coefficient) for (a, b), coefficient in zip(repn.quadratic_vars, repn.quadratic_coefs)
-               if a is b]
+    squares = [
+        (twins[id(a)], coefficient) for (a, b), coefficient in zip(repn.quadratic_vars, repn.quadratic_coefs) if a is b
+    ]
     if len(squares) < len(repn.quadratic_vars):
         raise InputError("model: the nonconvex formulation has products of variables, which no cone can state")
     (r,) = [variable for variable, coefficient in squares if coefficient < 0]

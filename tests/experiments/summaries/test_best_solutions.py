@@ -1,4 +1,4 @@
-"""What is best known of the library: it grows for the better only, notes changes, and `verify` finds what is spoiled."""
+"""What is best known of the library: it grows for the better only, notes changes, and `verify` finds what is wrong."""
 
 import csv
 import dataclasses
