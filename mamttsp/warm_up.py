@@ -9,9 +9,11 @@ import sys
 from pathlib import Path
 
 #: s that compiling takes, on one core of 2020
-_ABOUT = 25
-#: instances that need all of the code: so many targets are too many for what is done with few, with one agent and two
+_ABOUT = 30
+#: instances that need nearly all of the code, with one agent and two; and parameters that need the rest, rounds with
+#: shorter pieces before all labels fit
 _N_TARGETS, _TOTAL_WINDOW, _AGENTS = 11, 40, (1, 2)
+_SHORTER = {"first_labels": 1, "pieces_each": 2, "worthwhile": 2.0}
 
 
 def ensure_compiled(stream=None):
@@ -26,12 +28,13 @@ def ensure_compiled(stream=None):
 
 def warm_up():
     """Solve small instances that use all compiled code, so that it is there and later solves do not wait for it."""
-    from .exact import solve_exact
+    from .exact import Parameters, solve_exact
     from .generate import generate
     from .options import Options
 
     for n_agents in _AGENTS:
         solve_exact(generate(_N_TARGETS, _TOTAL_WINDOW, n_agents), Options())
+        solve_exact(generate(4, _TOTAL_WINDOW, n_agents), Options(), Parameters(**_SHORTER))
     if (mark := _mark()) is not None:
         mark.touch()
 

@@ -9,7 +9,7 @@ from .loads import enough_agents, fits
 def round_flow(graph, y, alive, counts):
     """Return routes (tuples of segments) through all targets that agents can fly, None if unlucky.
 
-    counts: (K,) agents of each layer; y: (|E|,) flow; alive: (|E|,) the edges that may be used, those without flow last.
+    counts: (K,) agents of each layer; y: (|E|,) flow; alive: (|E|,) edges that may be used, those without flow last.
     An edge of the depot with a flow of at least one half makes an end of a route; if that leaves too many routes, no
     edge does.
     """
