@@ -20,28 +20,29 @@ class Parameters:
     most_steps: int = 80
     most_columns: int = 3000
     #: and steps without a better bound
-    idle_steps: int = 10
+    idle_steps: int = 20
     #: column generation ends when the bound is within this share of the gap of the master's value
-    converged: float = 0.005
+    converged: float = 0.02
     #: pieces that a target's windows are cut into at first
-    pieces_each: int = 20
-    #: looks of ruin and recreate before a round, for each target squared, and iterations of a look
+    pieces_each: int = 30
+    #: looks of ruin and recreate, for each target squared, at first and whenever pieces get shorter; iterations of one
     annealing: float = 1.0 / 60.0
+    annealing_later: float = 1.0 / 20.0
     annealing_step: int = 500
     #: columns that are timed in a round, for each target
     timed: int = 5
     #: seconds for a choice among known routes
     choice_seconds: float = 0.5
     #: labels of the first enumeration, by how much more each next one may grow, and the most
-    first_labels: int = 150_000
-    more_labels: float = 3.0
+    first_labels: int = 300_000
+    more_labels: float = 2.0
     most_labels: int = 8_000_000
     #: an enumeration is tried again over the same pieces once only this share of the arcs is left
-    fewer_arcs: float = 0.8
+    fewer_arcs: float = 0.9
     #: label extensions per second, an underestimate, to stop in time
     rate: float = 2e7
     #: a means of raising the bound is used again if it closed this share of the gap
-    worthwhile: float = 0.05
+    worthwhile: float = 0.01
     #: subset-row cuts added at once, and by how much they must be violated
     cuts: int = 15
     violation: float = 0.02

@@ -28,7 +28,7 @@ class Search:
         self.standing = Standing(graph, n_agents, gap)
         self.labels, self.columns, self.rounds, self.exhausted = 0, 0, 0, False
         self.unit, self.most_pieces = graph.size or 1.0, parameters.most_pieces
-        self.most_labels, self.means, self.fewer_arcs = parameters.first_labels, 0, np.inf
+        self.most_labels, self.means, self.first, self.fewer_arcs = parameters.first_labels, 0, True, np.inf
         if start:
             self.incumbent.offer(start)
 
@@ -45,7 +45,7 @@ class Search:
 
     def run(self):
         """Run until the gap is closed, infeasibility is proved or time is up."""
-        self.search_tours()
+        self.search_tours(self.parameters.annealing)
         windows = sum(self.graph.t_hi[i] - self.graph.t_lo[i] for i in self.graph.V_seg)
         self.width = max(windows / (self.n * self.parameters.pieces_each), 1e-6 * self.graph.horizon)
         network = first_network(self.graph, even_cuts(self.graph, self.graph.V_seg, self.width), range(self.n))
@@ -65,14 +65,15 @@ class Search:
             pi[self.graph.tau[list(route)]] = 0.25 * (legs[:-1] + legs[1:])
         return pi
 
-    def search_tours(self):
-        """Look for tours by ruin and recreate, in steps short enough to end in time, then among all their routes."""
-        p = self.parameters
-        looks = max(1, round(self.n**2 * p.annealing))
+    def search_tours(self, looks):
+        """Look for tours by ruin and recreate, so many looks for each target squared, then among all their routes."""
+        looks = max(1, round(self.n**2 * looks))
         for look in range(looks):
             if self.clock.out():
                 break
-            if routes := self.annealing.run(p.annealing_step, 1.0 - look / looks, 1.0 - (look + 1) / looks):
+            if routes := self.annealing.run(
+                self.parameters.annealing_step, 1.0 - look / looks, 1.0 - (look + 1) / looks
+            ):
                 self.incumbent.offer(routes)
         self.recombine()
         self.report("heuristic")
@@ -123,15 +124,15 @@ class Search:
     def strengthen(self, worthwhile):
         """Raise the bound by the present means, if it was worthwhile, or by the next one: larger ng-sets, subset-row
         cuts, shorter pieces."""
-        if not worthwhile:
+        if not (worthwhile or self.first):  # the first round over new pieces says nothing of either
             self.means += 1
-        if self.means == 0 and self.generation.grow([route for route, _ in self.generation.support]):
+        self.first = False
+        if self.means == 0 and self.generation.grow(self.generation.cyclic(self.m == 1)):
             return
         if self.means <= 1 and self.m > 1 and self.add_cuts():
             self.means = 1
             return
-        self.most_labels = min(self.parameters.more_labels * self.most_labels, self.parameters.most_labels)
-        self.search_tours()
+        self.search_tours(self.parameters.annealing_later)
         if not self.over():
             self.refine()
 
@@ -158,6 +159,7 @@ class Search:
         )  # fmt: skip
         self.labels += routes.size
         if not routes.complete:
+            self.most_labels = min(self.parameters.more_labels * self.most_labels, self.parameters.most_labels)
             self.report("labels")
             return None
         self.columns += len(routes.cost)
@@ -168,11 +170,23 @@ class Search:
         self.standing.raise_bound(min(relaxed.bound, limit))
         self.report("routes")
         alive = relaxed.slack[sets.of_column] >= routes.cost - sets.cost[sets.of_column]
+        self.time_routes(routes, np.flatnonzero(alive))
         routes.lead(alive)
         sets.keep(relaxed.slack >= 0.0)
         if not self.over() and 0 < len(sets.cost) <= self.parameters.few_sets:
             self.settle(sets, routes)
         return routes
+
+    def time_routes(self, routes, columns):
+        """Time the columns of least reduced cost, and choose among all routes known."""
+        order = columns[np.argsort(routes.reduced[columns], kind="stable")]
+        for column in order[: self.parameters.timed * self.n]:
+            if self.clock.out():
+                return
+            route = routes.segments(column)
+            if self.incumbent.timed(route) and self.m == 1:
+                self.incumbent.offer([route])
+        self.recombine()
 
     def settle(self, sets, routes):
         """Settle the competing sets of targets by timing their sequences."""
@@ -226,4 +240,4 @@ class Search:
             return
         network = refined(network, self.graph, self.width, self.incumbent.visit_times(), range(self.n))
         self.generation.moved(network)
-        self.means, self.fewer_arcs = 0, np.inf
+        self.means, self.first, self.fewer_arcs = 0, True, np.inf
