@@ -162,5 +162,4 @@ def evaluate(network, N, pi, cuts, n_agents, tolerance):
 
 
 def _values(side, prices, tolerance):
-    nothing = np.full((len(side.a), 2), -np.inf)
-    return ngroutes.values_to_go(side, prices, nothing, np.inf, tolerance, len(prices.pi))[0]
+    return ngroutes.values_to_go(side, prices, tolerance, len(prices.pi))[0]

@@ -110,7 +110,7 @@ def _pays(odd, sigma):
 
 
 @njit(cache=True)
-def _extended(q, side, prices, other, limit, lists, work, first_time):
+def _extended(q, side, prices, lists, work, first_time):
     """Gather in `work` (memory, parity, left, right) what can be said of piece q from the lists of the pieces behind
     it: the entries that no other dominates, by their sums; return how many, -1 if there is no room.
 
@@ -123,7 +123,6 @@ def _extended(q, side, prices, other, limit, lists, work, first_time):
     W, room, known = N.shape[1], len(left), count[q]
     u, a_q, width_q, kept = target[q], a[q], width[q], prices.kept[target[q]]
     fresh = np.zeros((1, W), np.uint64)
-    room_left, room_right = limit - other[q, 0], limit - other[q, 1]
     if known > room:
         return -1
     for x in range(known):
@@ -155,8 +154,6 @@ def _extended(q, side, prices, other, limit, lists, work, first_time):
                     fresh[0, z] = old_memory[x, z] & N[u, z]
                 if known_w:
                     add(fresh, 0, w)
-            if low > room_left and high > room_right:
-                continue
             total, y = low + high, 0
             while y < known and left[y] + right[y] <= total:
                 if left[y] <= low and right[y] <= high and subset(memory, y, fresh, 0):
@@ -198,11 +195,10 @@ def _room(size, W):
 
 
 @njit(cache=True)
-def values_to_go(side, prices, other, limit, tolerance, most_passes):
+def values_to_go(side, prices, tolerance, most_passes):
     """Return (lists, passes): the values to go of each piece, its own multiplier not included.
 
-    other: (Q, 2) what it costs at least to come to each piece (from the other direction): values that cannot get
-    below `limit` with it are left out. tolerance: a change of a value that counts as none.
+    tolerance: a change of a value that counts as none.
     """
     Q, W = len(side.a), prices.N.shape[1]
     size = 4 * Q + 64
@@ -220,10 +216,10 @@ def values_to_go(side, prices, other, limit, tolerance, most_passes):
             if not dirty[q]:
                 continue
             dirty[q] = False
-            known = _extended(q, side, prices, other, limit, lists, work, passes == 1)
+            known = _extended(q, side, prices, lists, work, passes == 1)
             while known < 0:
                 work = _room(4 * len(work[2]), W)
-                known = _extended(q, side, prices, other, limit, lists, work, passes == 1)
+                known = _extended(q, side, prices, lists, work, passes == 1)
             if _unchanged(work, known, lists, q, tolerance):
                 continue
             if known > lists.count[q]:

@@ -26,7 +26,7 @@ class Search:
         self.graph, self.n, self.m = graph, graph.n_targets, n_agents
         self.clock, self.parameters, self.progress, self.annealing = clock, parameters, progress, annealing
         self.standing = Standing(graph, n_agents, gap)
-        self.labels, self.columns, self.rounds, self.exhausted = 0, 0, 0, False
+        self.labels, self.columns, self.exhausted = 0, 0, False
         self.unit, self.most_pieces = graph.size or 1.0, parameters.most_pieces
         self.most_labels, self.means, self.first, self.fewer_arcs = parameters.first_labels, 0, True, np.inf
         if start:
@@ -84,7 +84,6 @@ class Search:
 
     def round(self):
         """Raise the bound over the present pieces, drop what is beyond the limit, and try to enumerate the rest."""
-        self.rounds += 1
         generation, before = self.generation, self.standing.bound
         generation.offer_incumbent(self.incumbent)
         generation.run(self.standing.limit, self.clock, self.on_evaluation)

@@ -87,8 +87,7 @@ def _entries(lists, q):
 
 
 def _values(side, prices):
-    nothing = np.full((len(side.a), 2), -np.inf)
-    return ngroutes.values_to_go(side, prices, nothing, np.inf, 0.0, len(prices.pi))[0]
+    return ngroutes.values_to_go(side, prices, 0.0, len(prices.pi))[0]
 
 
 @pytest.mark.parametrize("seed, width", list(itertools.product(SEEDS, WIDTHS)))
