@@ -8,6 +8,7 @@ DOCS = Path(__file__).parent
 sys.path[:0] = [str(DOCS), str(DOCS.parent / "benchmarks")]
 
 import gather  # noqa: E402  (its folder is on the path only now)
+import glossary_titles  # noqa: E402
 import made  # noqa: E402
 import notebook_pages  # noqa: E402
 
@@ -50,7 +51,7 @@ html_js_files = ["from_disk.js"]
 templates_path = ["_templates"]
 html_domain_indices = False
 html_sourcelink_suffix = ""  # a notebook is downloaded under its own name
-html_sidebars = {page: [] for page in ("index", "benchmarks", "reach", "CHANGELOG", "search", "genindex")}
+html_sidebars = {page: [] for page in ("index", "benchmarks", "reach", "glossary", "references", "CHANGELOG", "search", "genindex")}
 html_context = {"default_mode": "auto"}  # dark where the reader's system is
 html_theme_options = {
     "logo": {"text": "mamttsp"},
@@ -72,3 +73,4 @@ def setup(app):
     app.connect("autodoc-process-docstring", plain_bars)
     app.connect("builder-inited", gather.gather)
     app.connect("source-read", notebook_pages.prepare)
+    app.connect("doctree-resolved", glossary_titles.add)

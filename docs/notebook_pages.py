@@ -6,6 +6,7 @@ import re
 from pathlib import PurePosixPath
 
 IN_WORDS = "*In words:*"
+_TO_GLOSSARY = re.compile(r'\[([^\]]+)\]\((?:\.\./)+docs/glossary\.md(?: "([^"]+)")?\)')
 
 
 def prepare(app, page, source):
@@ -18,7 +19,7 @@ def prepare(app, page, source):
         show_markdown(notebook)
         show_printed_code(notebook)
         mark_columns(notebook)
-        lead_to_first_page(notebook)
+        lead_to_pages(notebook)
         source[0] = json.dumps(notebook)
 
 
@@ -86,7 +87,17 @@ def mark_columns(notebook):
             cell["metadata"]["tags"] = [*cell["metadata"].get("tags", []), "columns"]
 
 
-def lead_to_first_page(notebook):
-    """Let links to the repository's README lead to the first page of the site."""
+def lead_to_pages(notebook):
+    """Let links to the repository's README and to docs/ lead to pages of the site; to the glossary, to the term itself.
+
+    The term is the link's title, or its text if there is none.
+    """
     for cell in notebook["cells"]:
-        cell["source"] = "".join(cell["source"]).replace("(../README.md)", "(../index.md)")
+        if cell["cell_type"] == "markdown":
+            text = "".join(cell["source"]).replace("(../README.md)", "(../index.md)")
+            cell["source"] = _TO_GLOSSARY.sub(_term, text).replace("../docs/", "../")
+
+
+def _term(link):
+    text, title = link.groups()
+    return f"{{term}}`{text} <{title or text}>`"

@@ -62,3 +62,15 @@ def test_only_printed_columns_keep_their_lines():
     notebook = {"cells": [code(outputs=[columns]), code(outputs=[sentence])]}
     pages.mark_columns(notebook)
     assert ["columns" in cell["metadata"]["tags"] for cell in notebook["cells"]] == [True, False]
+
+
+def test_links_to_docs_lead_to_pages_and_those_to_the_glossary_to_a_term():
+    text = '[a](../README.md), [b](../docs/references.md#b-2000), [gap](../docs/glossary.md)'
+    more = '[cones](../../docs/glossary.md "second-order cone")'
+    notebook = {"cells": [prose([text, more]), code("read('../docs/data')")]}
+    pages.lead_to_pages(notebook)
+    shown, untouched = (cell["source"] for cell in notebook["cells"])
+    assert shown == (
+        "[a](../index.md), [b](../references.md#b-2000), {term}`gap <gap>`{term}`cones <second-order cone>`"
+    )
+    assert untouched == "read('../docs/data')"

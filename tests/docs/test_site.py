@@ -80,6 +80,16 @@ def test_solutions_are_folded(pages):
     assert folded and all(folded)
 
 
+def test_terms_lead_to_the_glossary_and_show_what_they_mean(pages):
+    glossary = pages[Path("glossary.html")]
+    assert len(glossary.select("dt[id^=term-]")) > 40
+    links = pages[Path("notebooks/01-first-solve.html")].select("a[href*='glossary.html#term-']")
+    assert len(links) >= 5
+    for link in links:
+        term = glossary.find(id=link["href"].partition("#")[2])
+        assert link["title"] == " ".join(term.find_next("dd").get_text().split())
+
+
 def test_every_public_name_is_in_the_reference(pages):
     api = [page for path, page in pages.items() if path.parent.name == "api"]
     documented = {tag["id"].removeprefix("module-") for page in api for tag in page.select("dt[id], [id^=module-]")}
@@ -97,7 +107,7 @@ def test_the_names_of_sets_and_data_are_those_of_the_code():
 
 def test_tables_and_sentences_come_from_rows(pages):
     settings = len(pd.read_csv(ROOT / "paper_results" / "exact.csv"))
-    assert f"of {settings} of the paper" in " ".join(pages[FIRST].get_text().split())
+    assert f"all {settings} settings" in " ".join(pages[FIRST].get_text().split())
     beyond = pd.read_csv(ROOT / "paper_results" / "scale.csv")
     rows = pages[Path("reach.html")].select_one("table").select("tbody tr")
     assert len(rows) == len(beyond) and "gap (%)" in pages[Path("reach.html")].get_text()
