@@ -41,7 +41,7 @@ venv: .venv/ready
 	touch $@
 
 reproduce: venv
-	@echo "== 1/3 Solving a paper instance: 10 targets, 3 agents, windows of 40 s =="
+	@echo "== 1/3 Solving an instance by the paper's recipe: 10 targets, 3 agents, windows of 40 s =="
 	@mkdir -p build
 	$(BIN)/python -m mamttsp generate --targets 10 --window 40 --agents 3 --seed 7 -o build/instance.json
 	$(BIN)/python -m mamttsp solve build/instance.json --time-limit 120 -o build/solution.json

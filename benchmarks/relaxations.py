@@ -1,6 +1,6 @@
 """Relax both conic programs on every setting of the paper, and append a row for each to a CSV file.
 
-    python -m benchmarks.relaxations                               all 560 settings, both programs: some 10 minutes
+    python -m benchmarks.relaxations                               all 560 problems, both programs: some 10 minutes
     python -m benchmarks.relaxations --sizes 5 10                  the small ones
 
 What has a row is not done again. The rows are those of a campaign: `paper_results/README.md` explains them.

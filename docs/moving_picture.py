@@ -1,4 +1,4 @@
-"""The moving picture of the first page: the best tours known of one of the paper's random instances."""
+"""The moving picture of the first page: the best tours known of one of our instances by the paper's recipe."""
 
 import pandas as pd
 

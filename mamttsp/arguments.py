@@ -22,7 +22,7 @@ def parser():
     whole = _Parser(prog="mamttsp", description="The multi-agent moving-target traveling salesman problem.")
     commands = whole.add_subparsers(required=True, dest="command", metavar="COMMAND")
 
-    command = commands.add_parser("generate", help="write a random instance of the paper's kind")
+    command = commands.add_parser("generate", help="write a random instance by the paper's recipe")
     command.add_argument("--targets", type=int, required=True, metavar="N", help="how many")
     command.add_argument("--window", type=float, required=True, metavar="SECONDS", help="total window of each target")
     command.add_argument("--agents", type=int, default=1, metavar="M", help=f"how many, all alike {_DEFAULT}")

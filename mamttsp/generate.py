@@ -1,4 +1,7 @@
-"""The paper's random instances (Section V-A), with every choice that the paper leaves open as a parameter."""
+"""Random instances by the paper's recipe (Section V-A), with every choice that it leaves open as a parameter.
+
+The authors' own instances are not published: those made here are ours.
+"""
 
 import math
 from collections.abc import Iterable
@@ -86,7 +89,7 @@ def generate(
 
 
 def paper_instance(n: int, index: int, total_window: float = 40, n_agents: int = 1) -> Instance:
-    """Return one of the 80 instances of our reproduction: n in 5, 10, 15, 20 targets, index 0 to 19.
+    """Return one of our 80 instances by the paper's recipe: n in 5, 10, 15, 20 targets, index 0 to 19.
 
     >>> from mamttsp import paper_instance
     >>> instance = paper_instance(10, 3, total_window=20)

@@ -1,4 +1,4 @@
-"""The relaxed bounds of both conic programs on the paper's instances, as rows of a results file."""
+"""The relaxed bounds of both conic programs on our 80 instances, as rows of a results file."""
 
 import itertools
 import time
@@ -17,7 +17,7 @@ from .runs import SETTINGS
 def relaxations(path, sizes=PAPER_SIZES, indices=PAPER_INDICES, quiet=False):
     """Append a row to the results file `path` for each relaxation that has none yet, of both methods in all settings.
 
-    sizes, indices: which of the paper's instances; quiet: no progress bar. It can be stopped at any moment and started
+    sizes, indices: which of paper_instance's; quiet: no progress bar. It can be stopped at any moment and started
     again, and several at a time share the work. InputError: a file that is not ours, or that cannot be written.
     """
     about = provenance(jobs=1)

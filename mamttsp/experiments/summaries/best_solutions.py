@@ -38,7 +38,7 @@ class Contribution:
 
 
 def of_rows(best):
-    """Yield what a campaign's best_known table, a DataFrame, says of the paper's instances."""
+    """Yield what a campaign's best_known table, a DataFrame, says of the instances by the paper's recipe."""
     for _, line in best.iterrows():
         bound = None if math.isnan(line["bound"]) else float(line["bound"])
         name = f"n{int(line['n']):02}-i{int(line['index']):02}-w{int(line['total_window'])}"
