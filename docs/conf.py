@@ -51,7 +51,8 @@ html_js_files = ["from_disk.js"]
 templates_path = ["_templates"]
 html_domain_indices = False
 html_sourcelink_suffix = ""  # a notebook is downloaded under its own name
-html_sidebars = {page: [] for page in ("index", "benchmarks", "reach", "glossary", "references", "CHANGELOG", "search", "genindex")}
+_ALONE = ("index", "benchmarks", "reach", "glossary", "references", "CHANGELOG", "search", "genindex")
+html_sidebars = {page: [] for page in _ALONE}
 html_context = {"default_mode": "auto"}  # dark where the reader's system is
 html_theme_options = {
     "logo": {"text": "mamttsp"},

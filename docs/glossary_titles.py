@@ -1,4 +1,4 @@
-"""Links to a term of the glossary carry its definition as their title, which browsers show when a pointer rests there."""
+"""Links to a term of the glossary carry its definition as their title, which browsers show under a pointer."""
 
 from docutils import nodes
 

@@ -65,7 +65,7 @@ def test_only_printed_columns_keep_their_lines():
 
 
 def test_links_to_docs_lead_to_pages_and_those_to_the_glossary_to_a_term():
-    text = '[a](../README.md), [b](../docs/references.md#b-2000), [gap](../docs/glossary.md)'
+    text = "[a](../README.md), [b](../docs/references.md#b-2000), [gap](../docs/glossary.md)"
     more = '[cones](../../docs/glossary.md "second-order cone")'
     notebook = {"cells": [prose([text, more]), code("read('../docs/data')")]}
     pages.lead_to_pages(notebook)

@@ -1,4 +1,4 @@
-"""What a campaign runs: an instance by the paper's recipe, by one method within one limit; and the profiles, named lists of runs."""
+"""What a campaign runs: one of our instances by one method within one limit; and the profiles, named lists of runs."""
 
 import dataclasses
 
@@ -36,8 +36,8 @@ def profile(name, solver=None):
 
     "smoke": every method on n = 5 within 5 s, under two minutes in all. "reduced": MICP and baseline on SCIP, and
     the MICP on our branch and bound over Clarabel, instances 0 to 4 of each n within 60 s. "full": 1120 runs
-    as in the paper, MICP and baseline within 1800 s on `solver` (default: scip). "exact": our own solver on all 560 problems
-    within 300 s.
+    as in the paper, MICP and baseline within 1800 s on `solver` (default: scip). "exact": our own solver on all 560
+    problems within 300 s.
 
     >>> from mamttsp.experiments import profile
     >>> len(profile("exact")), profile("exact")[0].method
