@@ -71,7 +71,7 @@ def plain_bars(app, what, name, obj, options, lines):
 
 
 def setup(app):
+    app.connect("doctree-resolved", glossary_titles.add)
     app.connect("autodoc-process-docstring", plain_bars)
     app.connect("builder-inited", gather.gather)
     app.connect("source-read", notebook_pages.prepare)
-    app.connect("doctree-resolved", glossary_titles.add)

@@ -80,16 +80,6 @@ def test_solutions_are_folded(pages):
     assert folded and all(folded)
 
 
-def test_terms_lead_to_the_glossary_and_show_what_they_mean(pages):
-    glossary = pages[Path("glossary.html")]
-    assert len(glossary.select("dt[id^=term-]")) > 40
-    links = pages[Path("notebooks/01-first-solve.html")].select("a[href*='glossary.html#term-']")
-    assert len(links) >= 5
-    for link in links:
-        term = glossary.find(id=link["href"].partition("#")[2])
-        assert link["title"] == " ".join(term.find_next("dd").get_text().split())
-
-
 def test_every_public_name_is_in_the_reference(pages):
     api = [page for path, page in pages.items() if path.parent.name == "api"]
     documented = {tag["id"].removeprefix("module-") for page in api for tag in page.select("dt[id], [id^=module-]")}
@@ -120,3 +110,13 @@ def test_how_mathematics_is_set_is_beside_the_pages(site, pages):
     assert len(with_formulas) > 10
     assert all(page.select("script[src*='tex-svg-full.js']") for page in with_formulas)
     assert (site / "_static" / "tex-svg-full.js").is_file()
+
+
+def test_terms_lead_to_the_glossary_and_show_what_they_mean(pages):
+    glossary = pages[Path("glossary.html")]
+    assert len(glossary.select("dt[id^=term-]")) > 40
+    links = pages[Path("notebooks/01-first-solve.html")].select("a[href*='glossary.html#term-']")
+    assert len(links) >= 5
+    for link in links:
+        term = glossary.find(id=link["href"].partition("#")[2])
+        assert link["title"] == " ".join(term.find_next("dd").get_text().split())
