@@ -29,7 +29,7 @@ def write_slides(folder):
     """Write a page of slides for each notebook, a list of them, and what they load, into a folder."""
     folder.mkdir(parents=True, exist_ok=True)
     _lay_out_scripts(folder)
-    exporter = SlidesExporter(extra_template_basedirs=[str(DOCS)], template_name="slides_template", reveal_theme="white")
+    exporter = SlidesExporter(extra_template_basedirs=[str(DOCS)], template_name="slide_pages", reveal_theme="white")
     exporter.reveal_url_prefix = "reveal"
     entries = []
     for path in notebooks(DOCS.parent / "notebooks"):
