@@ -17,7 +17,7 @@ RUN_NOTEBOOK = $(BIN)/jupyter nbconvert --to notebook --execute --inplace --log-
 # Two test processes share two cores: each keeps to one thread.
 export OMP_NUM_THREADS ?= 1
 
-.PHONY: help venv reproduce test test-all lint lowest notebooks html benchmarks lab
+.PHONY: help venv reproduce test test-all lint lowest notebooks html slides handouts benchmarks lab
 
 help:
 	@echo "make reproduce   set up, solve an instance, run the notebooks, rebuild every figure"
@@ -26,6 +26,8 @@ help:
 	@echo "make lowest      a small suite with the lowest versions that pyproject.toml allows"
 	@echo "make notebooks   run every notebook again, save it and its figures"
 	@echo "make html        make the site, which needs no network: site/index.html"
+	@echo "make slides      make slides of the notebooks, which need no network: build/slides/index.html"
+	@echo "make handouts    make exercise sheets without solutions, to be taken anywhere: build/handouts"
 	@echo "make benchmarks  measure again the table in benchmarks/README.md"
 	@echo "make lab         open the notebooks in JupyterLab"
 
@@ -79,6 +81,16 @@ notebooks: venv
 html: venv
 	$(BIN)/python -m sphinx --quiet --keep-going -d build/doctrees docs site
 	@echo "== Done: site/index.html =="
+
+slides: venv
+	rm -rf build/slides
+	$(BIN)/python docs/slides.py build/slides
+	@echo "== Done: build/slides/index.html =="
+
+handouts: venv
+	rm -rf build/handouts
+	$(BIN)/python -m mamttsp.study.handouts build/handouts
+	@echo "== Done: build/handouts/notebooks/exercises =="
 
 benchmarks: venv
 	$(BIN)/python -m benchmarks.build_models

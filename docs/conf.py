@@ -11,6 +11,7 @@ import gather  # noqa: E402  (its folder is on the path only now)
 import glossary_titles  # noqa: E402
 import made  # noqa: E402
 import notebook_pages  # noqa: E402
+import question_pages  # noqa: E402
 
 import mamttsp  # noqa: E402
 
@@ -75,3 +76,4 @@ def setup(app):
     app.connect("autodoc-process-docstring", plain_bars)
     app.connect("builder-inited", gather.gather)
     app.connect("source-read", notebook_pages.prepare)
+    app.connect("source-read", question_pages.prepare)

@@ -46,6 +46,36 @@ def read_course(folder):
     return [_chapter(path) for path in notebooks(folder) if not path.name.startswith("00")]
 
 
+def read_questions(path):
+    """Return {number: text} of the questions under "Exercises" at the end of a notebook; {} if it has none."""
+    cells = json.loads(Path(path).read_text(encoding="utf-8"))["cells"]
+    prose = "\n\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown")
+    _, _, listed = prose.partition("\n## Exercises\n")
+    found = re.findall(r"^(\d+)\. (.+(?:\n+(?: {2,}\S.*))*)", listed.partition("\n## ")[0], re.MULTILINE)
+    return {int(number): text for number, text in found}
+
+
+def count_minutes(cells):
+    """Return the minutes that cells take: 100 words and 2 code cells a minute."""
+    prose = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown"]
+    words, codes = sum(len(text.split()) for text in prose), len(cells) - len(prose)
+    return words / WORDS_PER_MINUTE + codes / CELLS_PER_MINUTE
+
+
+def read_sections(path):
+    """Return {heading: minutes} for the sections of a notebook, by their headings of the second level."""
+    found, heading = {}, ""
+    for cell in json.loads(Path(path).read_text(encoding="utf-8"))["cells"]:
+        source = "".join(cell["source"])
+        prose = cell["cell_type"] == "markdown"
+        for part in re.split(r"^(?=## )", source, flags=re.MULTILINE) if prose else [source]:
+            if prose and part.startswith("## "):
+                heading = part.splitlines()[0].removeprefix("## ")
+            found[heading] = found.get(heading, 0.0) + count_minutes([cell | {"source": part}])
+    found.pop("", None)  # what stands before the first section
+    return found
+
+
 def table(chapters):
     """Return the map of the course in Markdown: a row for each notebook, each module where it first occurs."""
     heads = ("paper, Section", "notebook", "modules, where first used", "figures", "rows", "tasks", "minutes")
@@ -70,7 +100,7 @@ def _chapter(path):
     cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
     prose, codes = (["".join(c["source"]) for c in cells if c["cell_type"] == kind] for kind in ("markdown", "code"))
     text, code = "\n".join(prose), "\n".join(codes)
-    minutes = len(text.split()) / WORDS_PER_MINUTE + len(codes) / CELLS_PER_MINUTE
+    minutes = count_minutes(cells)
     sheets = notebooks(path.parent / "exercises")
     exercises = next((sheet for sheet in sheets if sheet.name[:2] == path.name[:2]), None)
     return Chapter(

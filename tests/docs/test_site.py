@@ -11,7 +11,7 @@ from PIL import Image
 
 import mamttsp
 from mamttsp.formulations import build_formulation
-from mamttsp.study.course import notebooks
+from mamttsp.study.course import notebooks, read_questions
 from tests.docs.conftest import ROOT
 
 LOADED = "img[src], script[src], iframe[src], source[src], video[src], audio[src], link[href]"
@@ -75,9 +75,17 @@ def test_the_first_picture_moves_and_is_small(site, pages):
 
 
 def test_solutions_are_folded(pages):
-    exercises = [page for path, page in pages.items() if path.parent.name == "exercises" and path.stem != "README"]
+    exercises = [page for path, page in pages.items() if path.parent.name == "exercises" and path.stem[0].isdigit()]
     folded = [page.select("details:not([open]) .cell_input, details:not([open]) .highlight") for page in exercises]
     assert folded and all(folded)
+
+
+def test_questions_stand_above_their_hints_and_folded_solutions(pages):
+    answers = [page for path, page in pages.items() if path.parent.name == "questions" and path.stem != "README"]
+    quoted = [quote.get_text() for page in answers for quote in page.select("section blockquote")]
+    asked = [text for path in notebooks(ROOT / "notebooks") for text in read_questions(path).values()]
+    assert len(quoted) == len(asked) == sum(len(page.select("details:not([open]) summary")) for page in answers)
+    assert all(quoted)
 
 
 def test_every_public_name_is_in_the_reference(pages):

@@ -1,4 +1,4 @@
-"""For each task of the exercises a wrong answer that students give, and what the check must say of it."""
+"""For each task of the exercises a wrong answer that students give, and what must be said of it."""
 
 WRONG = {
     "02.1": (
@@ -7,7 +7,7 @@ def meeting_time(q, w, v_max, start, end):
     t = max(abs(q) / (v_max - w), start)
     return t if t <= end else math.inf
 """,
-        r"q = .*, w = ",
+        r"q = -.*: you say inf s, but the agent can come",
     ),
     "02.2": (
         """
@@ -20,7 +20,7 @@ def graph_size(clusters):
     "02.3": ("escape = lambda: ((1.0, 0.0), (1.5, 0.0), 10.0, 20.0)", r"too far away to be met"),
     "03.1": (
         """
-def half_tours(graph):
+def half_tours(graph, times):
     route = [graph.s, *(graph.C(u)[0] for u in range(4)), graph.s_prime]
     used = set(itertools.pairwise(route))
     return np.array([0.5 if tuple(edge) in used else 0.0 for edge in graph.edges.tolist()])
@@ -28,7 +28,10 @@ def half_tours(graph):
         r"target_flow_in by 0\.5",
     ),
     "03.2": ("longest = lambda graph, i, j: np.linalg.norm(graph.p_lo[j] - graph.p_lo[i])", r"two points .* apart"),
-    "04.1": ("widest = lambda y, t_lo, t_hi: y * (1 - y) * (t_hi - t_lo)", r"y = 0\.05, t from 40 to 60 s: it is 1"),
+    "04.1": (
+        "widest = lambda y, t_lo, t_hi: y * (1 - y) * (t_hi - t_lo)",
+        r"y = 0\.05, t from 40 to 60 s: you say 0\.95, it is 1\.00",
+    ),
     "04.2": (
         """
 def trap():
@@ -42,7 +45,7 @@ def in_perspective(graph, i, y, z_p, z_t):
     in_time = y * graph.t_lo[i] - 1e-9 <= z_t <= y * graph.t_hi[i] + 1e-9
     return in_time and np.allclose(z_p, graph.v[i] * z_t + graph.p_lo[i] - graph.t_lo[i] * graph.v[i])
 """,
-        r"times a point of X_i is in y X_i",
+        r"you say False, but y times a point of X_i is in y X_i",
     ),
     "05.2": (
         """
@@ -119,6 +122,8 @@ def audit(row):
         """
 def nearest_in_time(graph):
     return [int(min(graph.C(u), key=lambda i: graph.t_lo[i])) for u in range(5)]
+def two_lengths(instance, graph, route):
+    return best_times(graph, route)[0], best_times(graph, route)[0]
 """,
         r"is reached first",
     ),
@@ -131,4 +136,27 @@ def prices(graph, route):
     ),
     "09.3": ("is_ng_route = lambda walk, N: len(set(walk)) == len(walk)", r"the solver says True"),
     "09.4": ("dominates = lambda A, B, a, b: all(x <= y for x, y in zip(A, B))", r"on the grid it is True"),
+    "11.1": (
+        """
+def fewest(demands, capacity):
+    return math.ceil(sum(demands) / capacity)
+""",
+        r"demands \[3, 3, 3\], capacity 5: you say 2, it is 3",
+    ),
+    "11.2": (
+        """
+def share_out(shortest, counts, n_targets):
+    everything = frozenset(range(n_targets))
+    return min(tours.get(everything, math.inf) for tours in shortest)
+""",
+        r"seed 2, .*: you say \d+\.\d\d, the best of all ways is",
+    ),
+    "11.3": (
+        """
+def misleading():
+    targets = [Target([0, 100], [(x, 0), (x, 0)], [(0, 100)]) for x in (-25, 25)]
+    return targets, [Agents(1, (-30, 0), 4), Agents(1, (30, 0), 4)]
+""",
+        r"the rule makes 20\.00 units, the optimum is 20\.00: not enough",
+    ),
 }

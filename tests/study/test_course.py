@@ -5,7 +5,7 @@ from pathlib import Path
 import nbformat
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
-from mamttsp.study.course import Chapter, read_course, table
+from mamttsp.study.course import Chapter, read_course, read_questions, read_sections, table
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 PROSE = "# Flying\n\nSection IV-B of the paper, and Section III; rows from `exact.csv`.\n" + "word " * 600
@@ -53,3 +53,22 @@ def test_every_file_that_the_course_names_is_there():
     chapters = read_course(NOTEBOOKS)
     assert [chapter.file[:2] for chapter in chapters][:5] == ["01", "02", "03", "04", "05"]
     assert not [name for chapter in chapters for name in chapter.files if not (NOTEBOOKS / name).is_file()]
+
+
+def test_questions_are_those_at_the_end_with_their_lines(tmp_path):
+    last = "## Summary\n\n1. No question.\n\n## Exercises\n\n1. One,\n   and more.\n2. Two?"
+    write(tmp_path / "n" / "01-a.ipynb", new_markdown_cell("# A\n\n1. No."), new_markdown_cell(last))
+    write(tmp_path / "n" / "02-b.ipynb", new_markdown_cell("# B"))
+    assert read_questions(tmp_path / "n" / "01-a.ipynb") == {1: "One,\n   and more.", 2: "Two?"}
+    assert read_questions(tmp_path / "n" / "02-b.ipynb") == {}
+
+
+def test_sections_count_their_words_and_cells(tmp_path):
+    cells = (
+        new_markdown_cell("# A\n\nBefore the first."),
+        new_markdown_cell("## One\n\n" + "word " * 98),
+        new_code_cell("a = 1"),
+        new_markdown_cell("## Two\n\n" + "word " * 48 + "\n\n## Three\n\n" + "word " * 198),
+    )
+    write(tmp_path / "n" / "01-a.ipynb", *cells)
+    assert read_sections(tmp_path / "n" / "01-a.ipynb") == {"One": 1.5, "Two": 0.5, "Three": 2.0}
