@@ -23,7 +23,7 @@ _PAIR = ("micp/scip", "baseline/scip")
 def published_sheets(rows):
     """Yield the paper's Figures 2 and 3 from its published numbers."""
     note = "Digitised; dotted bar: not above this; hollow marker: partly hidden."
-    yield from _paper_figures(rows, "Published", lambda _: f"{CONDITIONS}; means of 20 instances. {note}")
+    yield from paper_sheets(rows, "published", "Published", lambda _: f"{CONDITIONS}; means of 20 instances. {note}")
 
 
 def our_sheets(reduced):
@@ -37,18 +37,22 @@ def our_sheets(reduced):
         counted = f"runs without a proof count at the limit, {bars.no_tours.sum()} without tours at 100 % gap"
         return f"{conditions(rows)}; means of {bars.runs.max()} instances. {whole}; {counted}."
 
-    yield from _paper_figures(table.rename(columns=names), "Ours", caption)
+    yield from paper_sheets(table.rename(columns=names), "ours", "Ours", caption)
 
 
-def _paper_figures(rows, whose, caption):
-    """Yield Figures 2 (one agent, by window) and 3 (windows of 40 s, by agents); caption: of the rows in a figure."""
+def paper_sheets(rows, name, whose, caption):
+    """Yield (file name, axes) of Figures 2 (one agent, by window) and 3 (windows of 40 s, by agents), on one scale.
+
+    rows: as for runtimes.panels_view, of both figures; name: "ours" for paper-fig-2-ours; whose: begins the title;
+    caption: function from the rows of a figure to what stands below it.
+    """
     parts = {
         2: ("one agent", rows[rows.agents == 1], "total_window_s"),
         3: ("windows of 40 s", rows[rows.agents > 1], "agents"),
     }
     for number, (what, part, by) in parts.items():
         axes = panels_view(part, by, f"{whose}: {what}", caption(part), time_scale(rows))
-        yield f"paper-fig-{number}-{whose.lower()}", axes[0]
+        yield f"paper-fig-{number}-{name}", axes[0]
 
 
 def comparison_sheets(reduced, exact):

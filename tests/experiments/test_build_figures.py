@@ -6,12 +6,14 @@ import shutil
 from pathlib import Path
 
 import matplotlib.pyplot as plt
+import pandas as pd
 import pytest
 
 from mamttsp import paper_instance, solve
 from mamttsp.__main__ import main
 from mamttsp.experiments import build_figures as building
 from mamttsp.experiments import profile
+from mamttsp.experiments.sheets import paper_sheets
 from tests.experiments.made_up_rows import EXACT, solved, stopped, write_rows
 
 PUBLISHED = Path(__file__).parents[2] / "paper_results" / "published.csv"
@@ -117,6 +119,24 @@ def test_published_and_ours_have_the_same_panels_and_say_what_they_are(drawn, nu
 def test_all_panels_of_both_figures_have_one_scale(drawn, whose):
     panels = [ax for number in (2, 3) for ax in drawn[f"paper-fig-{number}-{whose}"].axes if ax.get_title()]
     assert len(panels) == 7 and len({ax.get_ylim() for ax in panels}) == 1 and panels[0].get_yscale() == "log"
+
+
+def test_the_figures_can_be_drawn_from_rows_of_other_routes():
+    rows = pd.DataFrame(
+        [
+            (40, m, 5, route, time, 0.0)
+            for m in (1, 2)
+            for route, time in (("micp/clarabel", 0.05), ("baseline/scip", 600.0))
+        ],
+        columns=["total_window_s", "agents", "targets", "formulation", "runtime_s", "gap_percent"],
+    )
+    sheets = dict(paper_sheets(rows, "open", "Best open routes", lambda bars: f"{len(bars)} bars"))
+    assert list(sheets) == ["paper-fig-2-open", "paper-fig-3-open"]
+    for ax in sheets.values():
+        (legend,) = ax.figure.legends
+        assert legend.get_title().get_text().startswith("Best open routes: ") and _caption(ax.figure) == "2 bars"
+        assert [text.get_text() for text in legend.get_texts()] == ["baseline, SCIP", "MICP, Clarabel"]
+        assert [bar.get_height() for bar in ax.patches] == [600.0, 0.05] and ax.get_ylim()[0] == 0.01
 
 
 def test_ours_says_how_many_bars_are_missing_and_shows_which(drawn):
