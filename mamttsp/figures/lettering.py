@@ -11,6 +11,7 @@ from .style import LABEL
 READ, WINDOWS, PATHS = 6.0, 1.5, 0.5
 #: distances from the point that are tried, in points of print; farther ones cost as much as so many covered spots
 _GAPS = {5.0: 0.0, 11.0: 3.0, 18.0: 8.0}
+#: between two spots on a line, in points of print
 _STEP = 3.0
 
 
