@@ -1,16 +1,14 @@
-"""The figures of the experiments from tables of rows, each with a title that says under what its runs were made."""
-
-import textwrap
+"""The figures of the experiments from tables of rows, each with a caption that says under what its runs were made."""
 
 import matplotlib.pyplot as plt
 import pandas as pd
 
-from ..figures.column import COLUMN, WIDTH, column_axes
+from ..figures.column import COLUMN, WIDTH, caption_below, column_axes
 from ..figures.gaps import true_gap_view
 from ..figures.plan import plan_view
 from ..figures.profiles import cactus_view, profile_view
 from ..figures.relaxed_bounds import relaxation_view
-from ..figures.runtimes import panels_view
+from ..figures.runtimes import panels_view, time_scale
 from ..generate import paper_instance
 from ..tours import check
 from ..validation import InputError
@@ -25,7 +23,7 @@ _PAIR = ("micp/scip", "baseline/scip")
 def published_sheets(rows):
     """Yield the paper's Figures 2 and 3 from its published numbers."""
     note = "Digitised; dotted bar: not above this; hollow marker: partly hidden."
-    yield from _paper_figures(rows, "Published", lambda _: f"{CONDITIONS}; means of 20 instances. {note}")
+    yield from paper_sheets(rows, "published", "Published", lambda _: f"{CONDITIONS}; means of 20 instances. {note}")
 
 
 def our_sheets(reduced):
@@ -34,29 +32,36 @@ def our_sheets(reduced):
     table = by_setting(rows, [run for run in profile("reduced") if run.solver == "scip"]).reset_index()
     names = {"total_window": "total_window_s", "n": "targets", "route": "formulation"}
 
-    def title(bars):
+    def caption(bars):
         whole = f"{(bars.rows == bars.runs).sum()} of {len(bars)} bars have all their rows"
         counted = f"runs without a proof count at the limit, {bars.no_tours.sum()} without tours at 100 % gap"
         return f"{conditions(rows)}; means of {bars.runs.max()} instances. {whole}; {counted}."
 
-    yield from _paper_figures(table.rename(columns=names), "Ours", title)
+    yield from paper_sheets(table.rename(columns=names), "ours", "Ours", caption)
 
 
-def _paper_figures(rows, whose, title):
-    """Yield Figures 2 (one agent, by window) and 3 (windows of 40 s, by agents); title: of the rows in a figure."""
-    one, more = rows[rows.agents == 1], rows[rows.agents > 1]
-    titles = _lines(f"{whose}, one agent: {title(one)}"), _lines(f"{whose}, windows of 40 s: {title(more)}")
-    yield f"paper-fig-2-{whose.lower()}", panels_view(one, "total_window_s", titles[0])[0]
-    yield f"paper-fig-3-{whose.lower()}", panels_view(more, "agents", titles[1])[0]
+def paper_sheets(rows, name, whose, caption):
+    """Yield (file name, axes) of Figures 2 (one agent, by window) and 3 (windows of 40 s, by agents), on one scale.
+
+    rows: as for runtimes.panels_view, of both figures; name: "ours" for paper-fig-2-ours; whose: begins the title;
+    caption: function from the rows of a figure to what stands below it.
+    """
+    parts = {
+        2: ("one agent", rows[rows.agents == 1], "total_window_s"),
+        3: ("windows of 40 s", rows[rows.agents > 1], "agents"),
+    }
+    for number, (what, part, by) in parts.items():
+        axes = panels_view(part, by, f"{whose}: {what}", caption(part), time_scale(rows))
+        yield f"paper-fig-{number}-{name}", axes[0]
 
 
 def comparison_sheets(reduced, exact):
     """Yield the drawings of all methods side by side, all held to the smallest limit among them."""
     rows = pd.concat([reduced, of_runs(exact, profile("exact"))])
     times, limit = side_by_side(rows), rows.time_limit.min()
-    title = f"{len(times)} instances with a row of every method; {conditions(rows.assign(time_limit=limit))}."
+    caption = f"{len(times)} instances with a row of every method; {conditions(rows.assign(time_limit=limit))}."
     for name, ax in (("cactus", cactus_view(times, limit)), ("profile", profile_view(times))):
-        ax.figure.suptitle(_lines(title), fontsize=COLUMN["figure.titlesize"])
+        caption_below(ax.figure, caption)
         yield f"experiments-{name}", ax
 
 
@@ -69,7 +74,7 @@ def true_gaps_sheet(reduced, exact):
     true_gap_view(rows, "incumbent_percent", ax=upper)
     true_gap_view(rows, "bound_percent", ax=lower)
     known = f"{len(rows)} of {len(ours)} runs have a certified optimum"
-    upper.figure.suptitle(_lines(f"{conditions(ours)}. {known}. Numbers on top: runs without tours."))
+    caption_below(upper.figure, f"{conditions(ours)}. {known}. Numbers on top: runs without tours.")
     return upper
 
 
@@ -91,7 +96,7 @@ def relaxation_sheet(bounds, known, predecessor):
         ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
     axes[-1].set_ylabel("relaxed bound / best bound")
     solvers = conditions(bounds)
-    axes[0].figure.suptitle(_lines(f"{len(known)} of {len(bounds)} relaxations have a certified optimum. {solvers}."))
+    caption_below(axes[0].figure, f"{len(known)} of {len(bounds)} relaxations have a certified optimum. {solvers}.")
     return axes[0]
 
 
@@ -109,10 +114,6 @@ def idle_agent_sheet(exact, path):
     instance = paper_instance(10, int(row["index"]), 40, 3)
     length = check(instance, tours)
     ax = plan_view(instance, tours, ax=column_axes(4.2))
-    ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=3, frameon=False)
+    ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=2, frameon=False)
     ax.set_title(f"10 targets, windows of 40 s: optimal tours, {length:.1f} units")
     return ax
-
-
-def _lines(title):
-    return textwrap.fill(title, 66)

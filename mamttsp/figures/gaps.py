@@ -3,7 +3,8 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from .column import COLUMN, bar_style, column_axes, in_order, legend_above, line_style, route_name
+from .column import COLUMN, column_axes, legend_above
+from .style import bar_style, in_order, method_style, route_name
 
 #: % of the optimum; below the certificate's own tolerance the axis is linear
 RESOLUTION = 0.01
@@ -47,4 +48,4 @@ def _box(ax, place, values, route, width):
 
 
 def _points(route):
-    return line_style(route) | {"linestyle": "none", "markersize": 2.6, "markeredgewidth": 0.0}
+    return method_style(route) | {"linestyle": "none", "markersize": 2.6, "markeredgewidth": 0.0}

@@ -27,7 +27,8 @@ def reach_view(instance, place, time, meetings=(), ax=None):
     ax.plot(place, time, **DEPOT, label="agent")
     margin = 0.1 * instance.size
     xs = np.concatenate([instance.depot[:1], *(target.points[:, 0] for target in instance.targets)])
-    ax.set(xlabel="x (units)", ylabel="time (s)", xlim=(xs.min() - margin, xs.max() + margin), ylim=(0, 1.08 * T))
+    ax.set(xlabel="x (units)", ylabel="time (s)", xlim=(xs.min() - margin, xs.max() + margin))
+    ax.set_ylim(-0.05 * T, 1.08 * T)  # room for a whole star at time 0
     ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0.0, frameon=False)
     return ax
 
@@ -53,7 +54,7 @@ def graph_view(graph, route=(), ax=None):
         ax.annotate(name, place, fontsize=10, ha="center", va="center", zorder=5)
     low, high = places[:, 1].min() - 0.5, places[:, 1].max() + 0.5
     for u in range(graph.n_targets):
-        ax.axvspan(u + 0.7, u + 1.3, color="#F5C45E", alpha=0.25, zorder=0)
+        ax.axvspan(u + 0.7, u + 1.3, color=WINDOW["color"], alpha=0.25, zorder=0)
         ax.text(u + 1.0, high, f"target {u}", ha="center", va="bottom")
     ax.set(xlim=(-0.4, graph.n_targets + 1.4), ylim=(low, high + 0.3))
     ax.axis("off")

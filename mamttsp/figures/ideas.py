@@ -3,7 +3,7 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from .style import COLOURS, LINES, MARKERS
+from .style import method_style, route_name, shades
 
 
 def charge_view(distance, size, ax=None):
@@ -14,9 +14,9 @@ def charge_view(distance, size, ax=None):
     """
     ax = ax or plt.figure(figsize=(6, 4), layout="constrained").add_subplot()
     free = max(0.0, 1.0 - distance / size)
-    ax.plot([0.0, 1.0], [0.0, distance], color=COLOURS[0], label="perspective: y d")
-    big_m = {"color": COLOURS[1], "linestyle": "--", "label": "big-M: max(0, d - R (1 - y))"}
-    ax.plot([0.0, free, 1.0], [0.0, 0.0, distance], **big_m)
+    perspective, big_m = (method_style(method) | {"marker": ""} for method in ("micp", "baseline"))
+    ax.plot([0.0, 1.0], [0.0, distance], **perspective, label="perspective: y d")
+    ax.plot([0.0, free, 1.0], [0.0, 0.0, distance], **big_m, label="big-M: max(0, d - R (1 - y))")
     ax.plot([0.0, 1.0], [0.0, distance], "o", color="black", label="what a whole y costs")
     ax.set(xlabel="flow y on the edge", ylabel="least length l (units)")
     ax.legend(loc="upper left", frameon=False)
@@ -32,24 +32,26 @@ def perspective_view(graph, i, shares=(0.25, 0.5, 0.75, 1.0), ax=None):
     ax = ax or plt.figure(figsize=(6, 5), layout="constrained").add_subplot()
     ends = np.array([[graph.p_lo[i][0], graph.t_lo[i]], [graph.p_hi[i][0], graph.t_hi[i]]])
     ax.fill(*np.vstack([[0.0, 0.0], ends]).T, color="0.92", zorder=0, label="all shares from 0 to 1")
-    for k, y in enumerate(shares):
-        style = {"color": COLOURS[k % len(COLOURS)], "linestyle": LINES[-k % len(LINES)], "linewidth": 2.0}
-        ax.plot(*(y * ends).T, **style, label=f"y = {y:g}")
-    ax.plot(0.0, 0.0, "o", color="black", label="y = 0")
-    ax.set(xlabel="z_p, first coordinate (units)", ylabel="z_t (s)")
-    ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0.0, frameon=False)
+    for y, colour in zip(shares, shades("micp", len(shares))):
+        ax.plot(*(y * ends).T, color=colour, linewidth=3.0, solid_capstyle="butt")
+        ax.annotate(f"$y = {y:g}$", y * ends.mean(axis=0), xytext=(9, 0), textcoords="offset points", va="center")
+    ax.plot(0.0, 0.0, "o", color="black")
+    ax.annotate("$y = 0$", (0.0, 0.0), xytext=(-9, 9), textcoords="offset points", ha="right")
+    ax.set(xlabel="$y$ times the position's first coordinate, $z_p$ (units)", ylabel="$y$ times the time, $z_t$ (s)")
+    ax.margins(x=0.15)  # room for words
+    ax.legend(loc="best", frameon=False)
     return ax
 
 
 def sizes_view(sizes, ax=None):
     """Draw how many variables formulations have for 1, 2, ... agents, and return the axes.
 
-    sizes: dict from the name of a formulation to its numbers of variables, for m = 1, 2, ...
+    sizes: dict from a formulation, "micp", to its numbers of variables, for m = 1, 2, ...
     """
     ax = ax or plt.figure(figsize=(6, 4), layout="constrained").add_subplot()
-    for k, (name, numbers) in enumerate(sizes.items()):
+    for method, numbers in sizes.items():
         agents = range(1, len(numbers) + 1)
-        ax.plot(agents, numbers, color=COLOURS[k], linestyle=LINES[k], marker=MARKERS[k], label=name)
+        ax.plot(agents, numbers, **method_style(method), label=route_name(method))
         ax.set_xticks(agents)
     ax.set(xlabel="agents m", ylabel="variables")
     ax.set_ylim(bottom=0)
@@ -58,7 +60,7 @@ def sizes_view(sizes, ax=None):
 
 
 def descent_view(runs, optimum, ax=None):
-    """Draw where a local method started and where it stopped, one column a run, and return the axes.
+    """Draw where a local method for the nonconvex program started and stopped, one column a run, and return the axes.
 
     runs: list of lists of lengths (units), from the first to the last; optimum: the proved optimum.
     """
@@ -67,8 +69,9 @@ def descent_view(runs, optimum, ax=None):
     starts, ends = ([lengths[k] for lengths in runs] for k in (0, -1))
     number = range(1, len(runs) + 1)
     ax.vlines(number, ends, starts, color="0.75", zorder=1)
-    ax.plot(number, starts, "o", color=COLOURS[5], label="start")
-    ax.plot(number, ends, "s", color=COLOURS[1], label="stop")
+    dots = method_style("nonconvex") | {"linestyle": "none"}
+    ax.plot(number, starts, **dots, markerfacecolor="white", label="start")
+    ax.plot(number, ends, **dots, label="stop")
     ax.axhline(optimum, color="black", linestyle="--", linewidth=1.0, label="proved optimum")
     ax.set(xlabel="start (a flyable route each)", ylabel="length (units)")
     ax.legend(loc="upper left", frameon=False)

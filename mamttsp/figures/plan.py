@@ -4,20 +4,23 @@ import itertools
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib import rcParams
 
 from ..instance import Instance
 from ..tours import agents_of, as_tours
 from ..validation import counted, of_type
 from .depots import depots
-from .style import COLOURS, LABEL, LINES, MARKERS, PATH, WINDOW, once
+from .lettering import PATHS, READ, WINDOWS, write_beside
+from .style import COLOURS, LABEL, LINES, MARKERS, PATH, WINDOW, in_print, once
 
 
 def plan_view(instance, tours=(), ax=None):
     """Draw an instance from above, with tours if there are any, and return the axes.
 
     tours: a Solution, or a sequence of Tour. Target paths are grey, from a dot at their start; the parts inside time
-    windows are thick and yellow; each tour has a colour, line style and marker of its own; each visit has its target's
-    number beside it. Targets and tours have the numbers of files and code, from 0. The legend counts idle agents.
+    windows are thick and yellow, with the target's number beside each. Each tour has a colour, line style and marker of
+    its own, and an arrowhead on each leg; a visit has its target's number and its time beside it, the legend the time
+    of the return. Targets and tours have the numbers of files and code, from 0. The legend counts idle agents.
     InputError: not an Instance, or no tours.
 
     >>> from mamttsp import generate
@@ -28,22 +31,18 @@ def plan_view(instance, tours=(), ax=None):
     """
     tours = as_tours(tours)
     ax = ax or plt.figure(figsize=(8, 6), layout="constrained").add_subplot()
-    for target, path, in_windows in target_parts(instance):
-        ax.plot(*path[:, :2].T, **PATH, **once(target, "target's path"))
-        ax.plot(*path[0, :2], ".", color="0.45", zorder=3)
-        for w, window in enumerate(in_windows):
-            ax.plot(*window[:, :2].T, **WINDOW, **once(target + w, "time window"))
-    for stops, style, label in _flown(instance, tours):
+    lines, flown = draw_targets(ax, instance), list(_flown(instance, tours))
+    for stops, style, label in flown:
         ax.plot(*stops[:, :2].T, **style, label=label)
-        for (x, y, _), (u, v, _) in itertools.pairwise(stops):
-            middle = {"xytext": ((x + u) / 2, (y + v) / 2), "xy": (x + 0.51 * (u - x), y + 0.51 * (v - y))}
-            ax.annotate("", **middle, arrowprops={"arrowstyle": "->", "color": style["color"]}, zorder=5)
-    for visit, offset in _placed(_visits(tours), instance.size):
-        ax.annotate(str(visit.target), visit.position, xytext=10 * offset, textcoords="offset points", **LABEL)
+        lines.append((stops, READ))
     for place, style, label in depots(instance):
-        ax.plot(*place, **style, label=label)
+        ax.plot(*place, **in_print(style), label=label)
     _count_idle(ax, instance, tours)
     ax.set(xlabel="x (units)", ylabel="y (units)", aspect="equal")
+    ax.apply_aspect()  # now lengths on paper are known, but for the room that a legend takes
+    for stops, style, _ in flown:
+        point_the_way(ax, stops, style["color"])
+    write_beside(ax, [*_visited(tours), *window_numbers(instance, _visits(tours))], lines)
     ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0.0, frameon=False)
     return ax
 
@@ -65,6 +64,8 @@ def space_time_view(instance, tours=(), ax=None):
         ax.plot(*stops.T, **style, label=label)
     for visit in _visits(tours):
         ax.text(*visit.position, visit.time + 0.04 * instance.horizon, str(visit.target), **LABEL)
+    for number, (x, y, t), style in window_numbers(instance, _visits(tours)):
+        ax.text(x, y, t, f" {number}", **LABEL | {"ha": "left"} | style)
     for place, style, label in depots(instance):
         ax.plot(*np.tile(place, (2, 1)).T, [0, instance.horizon], color="black", linestyle=":", linewidth=1.0)
         ax.plot(*place, 0.0, **style, label=label)
@@ -72,6 +73,18 @@ def space_time_view(instance, tours=(), ax=None):
     ax.set(xlabel="x (units)", ylabel="y (units)", zlabel="time (s)", zlim=(0, instance.horizon))
     ax.legend(loc="upper left", bbox_to_anchor=(-0.08, 1.02), frameon=False)
     return ax
+
+
+def draw_targets(ax, instance):
+    """Draw paths from above, each from a dot at its start, and windows; return them as lines for write_beside."""
+    lines = []
+    for target, path, in_windows in target_parts(instance):
+        ax.plot(*path[:, :2].T, **PATH, **once(target, "target's path"))
+        ax.plot(*path[0, :2], ".", color="0.45", zorder=3)
+        lines += [(path, PATHS), *((window, WINDOWS) for window in in_windows)]
+        for w, window in enumerate(in_windows):
+            ax.plot(*window[:, :2].T, **in_print(WINDOW), **once(target + w, "time window"))
+    return lines
 
 
 def target_parts(instance):
@@ -102,7 +115,8 @@ def _flown(instance, tours):
                 "marker": MARKERS[k % len(MARKERS)],
             }
             style |= {"linewidth": 1.8, "markersize": 6, "markevery": slice(1, -1), "zorder": 4}
-            yield np.array(stops), style, f"tour {k} (type {tour.agent})" if len(instance.agents) > 1 else f"tour {k}"
+            agent = f" (type {tour.agent})" if len(instance.agents) > 1 else ""
+            yield np.array(stops), in_print(style), f"tour {k}{agent}, back at {tour.return_time:.0f} s"
 
 
 def _count_idle(ax, instance, tours):
@@ -117,14 +131,27 @@ def _visits(tours):
     return [visit for tour in tours for visit in tour.visits]
 
 
-def _placed(visits, size):
-    """Yield (visit, direction of its label), each label where it is farthest from other labels and visits."""
-    directions = [np.array([np.cos(angle), np.sin(angle)]) for angle in np.pi / 4 * np.arange(1, 9)]
-    taken = [np.asarray(visit.position) for visit in visits]
-    for k, visit in enumerate(visits):
-        others = taken[:k] + taken[k + 1 :]
-        places = [visit.position + 0.03 * size * direction for direction in directions]
-        room = [min((np.hypot(*(place - other)) for other in others), default=0.0) for place in places]
-        best = int(np.argmax(room))
-        taken.append(places[best])
-        yield visit, directions[best]
+def window_numbers(instance, visits=()):
+    """Yield (number, middle (x, y, t), style) of each window in which none of the visits is: words to write beside."""
+    for u, _, in_windows in target_parts(instance):
+        for window in in_windows:
+            if not any(visit.target == u and window[0, 2] <= visit.time <= window[-1, 2] for visit in visits):
+                middle = np.mean(window[[0, -1], 2])
+                place = instance.targets[u].position(middle)
+                yield str(u), (*place.tolist(), float(middle)), {"color": "0.35"}
+
+
+def point_the_way(ax, stops, colour):
+    """Put an arrowhead on each leg that has room for one; axes equal in x and y, stops as rows (x, y, ...)."""
+    corners = ax.transData.transform(stops[:, :2]) * 72.0 / ax.figure.dpi
+    size = 1.2 * rcParams["lines.markersize"]
+    for (x, y), (u, v), (p, q) in zip(stops[:, :2], stops[1:, :2], itertools.pairwise(corners)):
+        if np.hypot(*(q - p)) > 3 * size:
+            turn = np.degrees(np.arctan2(v - y, u - x)) - 90
+            head = {"marker": (3, 0, turn), "markersize": size, "color": colour, "linestyle": "none", "zorder": 4}
+            ax.plot(0.6 * x + 0.4 * u, 0.6 * y + 0.4 * v, **head)  # not halfway: the way back may be the same
+
+
+def _visited(tours):
+    """Return (target and time, place, style) of each visit: words to write beside."""
+    return [(f"{visit.target}: {visit.time:.0f} s", visit.position, {}) for visit in _visits(tours)]

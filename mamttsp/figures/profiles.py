@@ -5,7 +5,8 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator, PercentFormatter
 from scipy.stats import CensoredData, ecdf
 
-from .column import COLUMN, column_axes, in_order, legend_above, line_style, route_name
+from .column import COLUMN, column_axes, legend_above
+from .style import in_order, method_style, route_name
 
 
 @plt.rc_context(COLUMN)
@@ -45,7 +46,7 @@ def _steps(ax, values, whole, start, end):
         finite = np.isfinite(column)
         known = ecdf(CensoredData.right_censored(column.where(finite, end), ~finite)).cdf
         x = np.unique([start, *column[finite], end])
-        style = line_style(route) | {"markevery": max(1, len(x) // 8), "drawstyle": "steps-post"}
+        style = method_style(route) | {"markevery": max(1, len(x) // 8), "drawstyle": "steps-post"}
         ax.plot(x, whole * known.evaluate(x), **style, label=route_name(route))
     ax.set_xlim(start, end)
     legend_above(ax)

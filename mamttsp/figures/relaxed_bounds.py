@@ -3,9 +3,12 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from .plan import target_parts
-from .style import COLOURS, LABEL, LINES, MARKERS, once
+from .lettering import READ, write_beside
+from .plan import draw_targets, window_numbers
+from .style import DEPOT, LINES, method_style, route_name, shades
 
+#: how far an edge of a flow is bent, as a part of its length
+_BEND = 0.15
 _NAMES = {"total_window": "windows of {} s", "agents": "{} agents"}
 
 
@@ -13,31 +16,35 @@ def relaxation_view(rows, by="total_window", ax=None):
     """Draw relaxed bounds as parts of the optimum against the number of targets, and return the axes.
 
     rows: data frame with columns n, method, ratio and `by`, "total_window" or "agents": a line for each of its values
-    joins the MICP's means, a bar on each reaches from the least to the largest. All baselines are one grey line.
+    joins the MICP's means, in shades of its colour; a bar on each reaches from the least to the largest. All baselines
+    are one line.
     """
     ax = ax or plt.figure(figsize=(6, 4), layout="constrained").add_subplot()
     new, old = (rows[rows["method"] == method] for method in ("micp", "baseline"))
+    colours = shades("micp", new[by].nunique())
     for k, (value, group) in enumerate(new.groupby(by)):
         parts = group.groupby("n")["ratio"].agg(["mean", "min", "max"])
         n, mean = parts.index + 0.25 * (k - 1), parts["mean"]  # side by side, or the bars would hide each other
-        ax.vlines(n, parts["min"], parts["max"], color=COLOURS[k], alpha=0.5)
-        style = {"color": COLOURS[k], "linestyle": LINES[k], "marker": MARKERS[k]}
-        ax.plot(n, mean, **style, label=_NAMES[by].format(value).replace("1 agents", "1 agent"))
+        ax.vlines(n, parts["min"], parts["max"], color=colours[k], alpha=0.5)
+        style = method_style("micp") | {"color": colours[k], "linestyle": LINES[k]}
+        ax.plot(n, mean, **style, label="MICP, " + _NAMES[by].format(value).replace("1 agents", "1 agent"))
     zero = old.groupby("n")["ratio"].mean()
-    ax.plot(zero.index, zero, color="0.45", marker="x", label="baseline, all")
+    ax.plot(zero.index, zero, **method_style("baseline"), label="baseline, all")
     ax.set(xlabel="targets n", ylabel="relaxed bound / optimum", ylim=(-0.03, 1.03), xticks=sorted(set(rows["n"])))
-    ax.legend(loc="lower left", bbox_to_anchor=(0.0, 0.04), ncols=2, fontsize=9, frameon=False)
+    ax.legend(loc="lower left", bbox_to_anchor=(0.0, 0.04), fontsize=9, frameon=False)
     return ax
 
 
 def growth_view(windows, optima, bounds, ax=None):
     """Draw optimum and relaxed bounds of one instance against the length of its windows, and return the axes.
 
-    windows: (K,) total length in s; optima: (K,) units; bounds: dict from a name to (K,) units.
+    windows: (K,) total length in s; optima: (K,) units; bounds: dict from a formulation, or a variant such as
+    "micp without (22)", to (K,) units.
     """
     ax = ax or plt.figure(figsize=(6, 4), layout="constrained").add_subplot()
-    for k, (name, lengths) in enumerate({"optimum": optima, **bounds}.items()):
-        ax.plot(windows, lengths, color=("black", *COLOURS)[k], linestyle=LINES[k], marker=MARKERS[k], label=name)
+    ax.plot(windows, optima, color="black", label="optimum")
+    for name, lengths in bounds.items():
+        ax.plot(windows, lengths, **method_style(name), label=route_name(name))
     ax.set(xlabel="total window of each target (s)", ylabel="length (units)", ylim=(-0.03 * max(optima), None))
     ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0.0, frameon=False)
     return ax
@@ -46,21 +53,37 @@ def growth_view(windows, optima, bounds, ax=None):
 def flow_view(instance, y, tails, heads, ax=None):
     """Draw a fractional flow from above, and return the axes.
 
-    y: (K,) flows; tails, heads: (K, 2) where each edge begins and ends. A line is as thick as its flow: blue and solid
-    for (almost) whole ones, orange and dashed for fractions. Grey are the parts of the targets' paths in windows, with
-    the target's number.
+    y: (K,) flows; tails, heads: (K, 2) where each edge begins and ends. An edge is as thick as its flow, with an
+    arrowhead in its middle, and bent to the right, so that one there and one back are two: solid for (almost) whole
+    flows, dashed for fractions, with its flow beside it from 0.1 on. The parts of the targets' paths in windows are
+    thick and yellow, each with its target's number.
     """
-    ax = ax or plt.figure(figsize=(6, 5.4), layout="constrained").add_subplot()
-    for u, _, in_windows in target_parts(instance):
-        for window in in_windows:
-            ax.plot(*window[:, :2].T, color="0.8", linewidth=5, zorder=1)
-            ax.annotate(str(u), window[:, :2].mean(axis=0), **LABEL)
-    whole = np.asarray(y) > 0.99
-    for group, colour, line in ((whole, COLOURS[0], "-"), (~whole, COLOURS[1], "--")):
-        for k, (share, tail, head) in enumerate(zip(y[group], tails[group], heads[group])):
-            name = once(k, "whole" if line == "-" else "fraction")
-            ax.plot(*np.c_[tail, head], color=colour, linestyle=line, linewidth=0.3 + 3.0 * share, zorder=3, **name)
-    ax.plot(*instance.depot, color="black", marker="*", markersize=14, linestyle="none", zorder=6, label="depot")
+    ax = ax or plt.figure(figsize=(8, 7), layout="constrained").add_subplot()
+    lines, shares = draw_targets(ax, instance), []
+    ax.plot(*instance.depot, **DEPOT, label="depot")
+    colour = method_style("micp")["color"]
+    kinds = {True: ("-", "whole flow"), False: ((0, (4, 1)), "fraction")}
+    for share, tail, head in zip(y, tails, heads):
+        way = _bent(tail, head)
+        middle, turn = way[len(way) // 2], np.degrees(np.arctan2(*(head - tail)[::-1])) - 90
+        ax.plot(*way.T, color=colour, linestyle=kinds[share > 0.99][0], linewidth=0.5 + 2.0 * share, zorder=3)
+        style = {"markersize": 5 + 4 * share, "color": colour, "linestyle": "none", "zorder": 4}
+        ax.plot(*middle, marker=(3, 0, turn), **style)
+        lines.append((way, READ))
+        if share >= 0.1:
+            shares.append((f"{share:.2f}", middle, {"color": colour}))
+    for line, name in kinds.values():
+        ax.plot([], [], color=colour, linestyle=line, linewidth=2.0, label=name)
     ax.set(xlabel="x (units)", ylabel="y (units)", aspect="equal")
+    ax.apply_aspect()
+    write_beside(ax, [*window_numbers(instance), *shares], lines)
     ax.legend(loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0.0, frameon=False)
     return ax
+
+
+def _bent(tail, head):
+    """Return (21, 2): points on a curve from tail to head, bent to the right of the straight way."""
+    x, y = head - tail
+    control = (tail + head) / 2 + _BEND * np.array([y, -x])
+    s = np.linspace(0.0, 1.0, 21)[:, None]
+    return (1 - s) ** 2 * tail + 2 * s * (1 - s) * control + s**2 * head

@@ -1,9 +1,11 @@
-"""What all drawings share: colours, line styles and markers, and how a drawing is saved."""
+"""What all drawings share: the methods' palette, colours, line styles and markers, and how a drawing is saved."""
 
 from pathlib import Path
 
-from matplotlib import rc_context
+from matplotlib import rc_context, rcParams, rcParamsDefault
 from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb, to_rgba
+from matplotlib.patheffects import withStroke
 
 from ..validation import InputError, of_type
 
@@ -14,10 +16,68 @@ MARKERS = ("o", "s", "^", "D", "v")
 PATH = {"color": "0.65", "linewidth": 1.0, "zorder": 1}
 WINDOW = {"color": "#F5C45E", "linewidth": 5.0, "solid_capstyle": "butt", "zorder": 2}
 DEPOT = {"color": "black", "marker": "*", "markersize": 14, "linestyle": "none", "zorder": 6}
-_BOX = {"boxstyle": "round,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.7}
-LABEL = {"fontsize": 9, "ha": "center", "va": "center", "zorder": 7, "bbox": _BOX}
+#: a thin white rim keeps a word readable on a line, and the line too
+LABEL = {"ha": "center", "va": "center", "zorder": 7, "path_effects": [withStroke(linewidth=1.6, foreground="white")]}
+#: methods in the order of legends; black is left for optima
+_METHODS = {
+    name: {"color": colour, "linestyle": line, "marker": marker}
+    for name, colour, line, marker in zip(
+        ("micp", "baseline", "micp/clarabel", "exact", "nonconvex"), (*COLOURS[:4], COLOURS[5]), LINES, MARKERS
+    )
+}
+_HATCHES = dict(zip(_METHODS, ("", "/////", "....", "xxxxx", "")))
+_NAMES = {"micp": "MICP", "scip": "SCIP", "clarabel": "Clarabel", "gurobi": "Gurobi"}
 #: what a format would otherwise write of the day
 _NO_DATE = {".pdf": {"CreationDate": None}, ".svg": {"Date": None}}
+
+
+def method_style(route):
+    """Return the colour, line style and marker of a method, the same in every drawing.
+
+    route: a method, "micp", or a method with its solver, "micp/scip". Words behind it, "micp without (22)", make a
+    variant: dotted and hollow.
+    """
+    variant = {"linestyle": ":", "markerfacecolor": "white"} if " " in route else {}
+    return _METHODS[_method(route)] | variant
+
+
+def bar_style(route):
+    """Return a route's tint, colour and hatch: lighter than its line, which stays readable on top."""
+    colour = method_style(route)["color"]
+    return {"facecolor": to_rgba(colour, 0.3), "edgecolor": colour, "hatch": _HATCHES[_method(route)]}
+
+
+def shades(route, count):
+    """Return `count` colours for settings of one method, from light to its own."""
+    parts = [1.0] if count == 1 else [0.4 + 0.6 * k / (count - 1) for k in range(count)]
+    own = to_rgb(_METHODS[_method(route)]["color"])
+    return [tuple(1.0 - part * (1.0 - c) for c in own) for part in parts]
+
+
+def route_name(route):
+    """Return how legends name a route: "micp/scip" is "MICP, SCIP"."""
+    method, *words = route.split(" ")
+    return " ".join([", ".join(_NAMES.get(part, part) for part in method.split("/")), *words])
+
+
+def in_order(routes):
+    """Return routes without repetition, in the same order in every drawing."""
+    return sorted(dict.fromkeys(routes), key=lambda route: list(_METHODS).index(_method(route)))
+
+
+def _method(route):
+    """Return the entry of the palette that a route has: its own, or its method's."""
+    route = route.split(" ")[0]
+    return route if route in _METHODS else route.split("/")[0]
+
+
+def in_print(style):
+    """Return a style with its widths and sizes in proportion to the lines that matplotlib draws at present.
+
+    So a drawing for a printed column, whose lines are thinner, is the same drawing, smaller.
+    """
+    scale = rcParams["lines.linewidth"] / rcParamsDefault["lines.linewidth"]
+    return style | {name: scale * style[name] for name in ("linewidth", "markersize") if name in style}
 
 
 def save(ax, path, dpi=150):

@@ -6,7 +6,7 @@ from matplotlib.text import OffsetFrom
 
 from ..tours import as_tours
 from .plan import target_parts
-from .style import COLOURS, DEPOT, LINES, MARKERS, PATH, WINDOW, once
+from .style import COLOURS, DEPOT, LINES, MARKERS, PATH, WINDOW, method_style, once, route_name
 
 
 def cycle_view(instance, tours=(), cycles=(), ax=None):
@@ -46,14 +46,13 @@ def _draw_loop(ax, x, t, label):
 def leak_view(misses, claims, truth, limit, ax=None):
     """Draw the lengths that models claim against how far two targets miss each other, and return the axes.
 
-    misses: units, none of them 0; claims: {name: lengths}; truth: the true optima; limit: the miss, in units, below
-    which the baseline is expected to be wrong, drawn as an upright line.
+    misses: units, none of them 0; claims: {formulation: lengths}; truth: the true optima; limit: the miss, in units,
+    below which the baseline is expected to be wrong, drawn as an upright line.
     """
     ax = ax or plt.figure(figsize=(7, 4), layout="constrained").add_subplot()
     ax.plot(misses, truth, color="0.75", linewidth=6.0, label="true optimum")
-    for k, (name, lengths) in enumerate(claims.items()):
-        style = {"color": COLOURS[k], "linestyle": LINES[k], "marker": MARKERS[k]}
-        ax.plot(misses, lengths, **style, label=f"claimed by {name}")
+    for method, lengths in claims.items():
+        ax.plot(misses, lengths, **method_style(method), label=f"claimed by {route_name(method)}")
     ax.axvline(limit, color="black", linestyle=":", linewidth=1.0, label="$R$ times the root of the tolerance")
     ax.set(xscale="log", xlabel="miss distance of the two targets (units)", ylabel="length (units)")
     ax.set_ylim(bottom=0)

@@ -1,16 +1,19 @@
 """All figures from a folder of rows: what is drawn, what the titles say, and one line for what is wrong."""
 
 import json
+import re
 import shutil
 from pathlib import Path
 
 import matplotlib.pyplot as plt
+import pandas as pd
 import pytest
 
 from mamttsp import paper_instance, solve
 from mamttsp.__main__ import main
 from mamttsp.experiments import build_figures as building
 from mamttsp.experiments import profile
+from mamttsp.experiments.sheets import paper_sheets
 from tests.experiments.made_up_rows import EXACT, solved, stopped, write_rows
 
 PUBLISHED = Path(__file__).parents[2] / "paper_results" / "published.csv"
@@ -63,8 +66,10 @@ def drawn(tmp_path_factory, three_agents):
     return figures
 
 
-def _title(figure):
-    return figure.get_suptitle().replace("\n", " ")
+def _caption(figure):
+    """Return what stands below a figure, its lines joined."""
+    (caption,) = figure.texts
+    return caption.get_text().replace("\n", " ")
 
 
 def test_every_figure_is_drawn(drawn):
@@ -85,13 +90,17 @@ def test_it_is_as_wide_as_a_column_and_all_that_is_written_is_on_it_and_can_be_r
 def _words(figure):
     """Return titles, labels, notes and legends: all that is written but the numbers of the axes."""
     legends = [*figure.legends, *(ax.get_legend() for ax in figure.axes if ax.get_legend())]
-    words = [*figure.texts, *(text for legend in legends for text in legend.get_texts())]
+    words = [*figure.texts, *(text for legend in legends for text in (legend.get_title(), *legend.get_texts()))]
     return words + [text for ax in figure.axes for text in (ax.title, ax.xaxis.label, ax.yaxis.label, *ax.texts)]
 
 
 def test_figure_1_has_three_agents_and_one_is_idle(drawn):
     legend = [text.get_text() for text in drawn["paper-fig-1"].axes[0].get_legend().get_texts()]
-    assert [label for label in legend if "tour" in label or "agent" in label] == ["tour 0", "tour 1", "1 idle agent"]
+    assert [re.sub(r" \d+ s$", "", label) for label in legend if "tour" in label or "agent" in label] == [
+        "tour 0, back at",
+        "tour 1, back at",
+        "1 idle agent",
+    ]
 
 
 @pytest.mark.parametrize("number, n_panels", [(2, 3), (3, 4)])
@@ -100,25 +109,49 @@ def test_published_and_ours_have_the_same_panels_and_say_what_they_are(drawn, nu
     panels = [[ax.get_title() for ax in figure.axes if ax.get_title()] for figure in (published, ours)]
     assert panels[0] == panels[1] and len(panels[0]) == n_panels
     part = {2: "one agent", 3: "windows of 40 s"}[number]
-    assert f"Published, {part}: Gurobi 10.0.3, limit 1800 s, Intel i7-7700HQ; means of 20 instances" in _title(
-        published
+    titles = [figure.legends[0].get_title().get_text() for figure in (published, ours)]
+    assert titles == [f"Published: {part}", f"Ours: {part}"]
+    assert "Gurobi 10.0.3, limit 1800 s, Intel i7-7700HQ; means of 20 instances" in _caption(published)
+    assert "scip 10.0, limit 60 s, threads 1, a laptop; means of 5 instances" in _caption(ours)
+
+
+@pytest.mark.parametrize("whose", ["published", "ours"])
+def test_all_panels_of_both_figures_have_one_scale(drawn, whose):
+    panels = [ax for number in (2, 3) for ax in drawn[f"paper-fig-{number}-{whose}"].axes if ax.get_title()]
+    assert len(panels) == 7 and len({ax.get_ylim() for ax in panels}) == 1 and panels[0].get_yscale() == "log"
+
+
+def test_the_figures_can_be_drawn_from_rows_of_other_routes():
+    rows = pd.DataFrame(
+        [
+            (40, m, 5, route, time, 0.0)
+            for m in (1, 2)
+            for route, time in (("micp/clarabel", 0.05), ("baseline/scip", 600.0))
+        ],
+        columns=["total_window_s", "agents", "targets", "formulation", "runtime_s", "gap_percent"],
     )
-    assert f"Ours, {part}: scip 10.0, limit 60 s, threads 1, a laptop; means of 5 instances" in _title(ours)
+    sheets = dict(paper_sheets(rows, "open", "Best open routes", lambda bars: f"{len(bars)} bars"))
+    assert list(sheets) == ["paper-fig-2-open", "paper-fig-3-open"]
+    for ax in sheets.values():
+        (legend,) = ax.figure.legends
+        assert legend.get_title().get_text().startswith("Best open routes: ") and _caption(ax.figure) == "2 bars"
+        assert [text.get_text() for text in legend.get_texts()] == ["baseline, SCIP", "MICP, Clarabel"]
+        assert [bar.get_height() for bar in ax.patches] == [600.0, 0.05] and ax.get_ylim()[0] == 0.01
 
 
 def test_ours_says_how_many_bars_are_missing_and_shows_which(drawn):
     figure = drawn["paper-fig-3-ours"]
-    assert "7 of 32 bars have all their rows" in _title(figure) and "1 without tours at 100 % gap" in _title(figure)
-    assert "6 of 24 bars have all their rows" in _title(drawn["paper-fig-2-ours"])
+    assert "7 of 32 bars have all their rows" in _caption(figure) and "1 without tours at 100 % gap" in _caption(figure)
+    assert "6 of 24 bars have all their rows" in _caption(drawn["paper-fig-2-ours"])
     by_panel = {ax.get_title(): len(ax.patches) for ax in figure.axes if ax.get_title()}
     assert by_panel == {"(a) 2 agents": 2, "(b) 3 agents": 2, "(c) 4 agents": 2, "(d) 5 agents": 1}
     assert [bar.get_height() for bar in figure.axes[0].patches] == [2.0, 60.0]  # a run at its limit counts at it
 
 
 def test_methods_are_compared_on_the_instances_that_all_have(drawn):
-    assert "2 instances with a row of every method" in _title(drawn["experiments-cactus"])
-    assert "limit 60 s" in _title(drawn["experiments-profile"])
-    assert "4 of 69 runs have a certified optimum" in _title(drawn["experiments-true-gaps"])
+    assert "2 instances with a row of every method" in _caption(drawn["experiments-cactus"])
+    assert "limit 60 s" in _caption(drawn["experiments-profile"])
+    assert "4 of 69 runs have a certified optimum" in _caption(drawn["experiments-true-gaps"])
 
 
 def test_relaxed_bounds_are_drawn_if_there_are_any(folder, monkeypatch):
@@ -130,11 +163,11 @@ def test_relaxed_bounds_are_drawn_if_there_are_any(folder, monkeypatch):
     write_rows(folder / "relaxations.csv", [solved(1.0, **relaxed | row) for row in rows])
     list(building.build(folder, folder / "out"))
     figure = figures["experiments-relaxations"]
-    assert _title(figure) == "2 of 3 relaxations have a certified optimum. scip 10.0, threads 1, a laptop."
+    assert _caption(figure) == "2 of 3 relaxations have a certified optimum. scip 10.0, threads 1, a laptop."
     drawn = [{line.get_label(): list(line.get_ydata()) for line in ax.lines} for ax in figure.axes]
-    assert drawn[0] == {"windows of 40 s": [0.8], "baseline, all": [0.0]}
-    assert drawn[1] == {"1 agent": [0.8], "baseline, all": [0.0]}
-    assert drawn[2]["windows of 50 s"] == [0.78, 0.63, 0.61, 0.54]
+    assert drawn[0] == {"MICP, windows of 40 s": [0.8], "baseline, all": [0.0]}
+    assert drawn[1] == {"MICP, 1 agent": [0.8], "baseline, all": [0.0]}
+    assert drawn[2]["MICP, windows of 50 s"] == [0.78, 0.63, 0.61, 0.54]
 
 
 def _one_line(capsys):

@@ -45,7 +45,7 @@ def _lines(ax, colour):
 
 @pytest.mark.parametrize("view", VIEWS)
 def test_the_legend_names_everything_once_and_idle_agents_too(view):
-    expected = ["target's path", "time window", "tour 0", "depot", "2 idle agents"]
+    expected = ["target's path", "time window", "tour 0, back at 30 s", "depot", "2 idle agents"]
     assert _legend(view(INSTANCE, TOURS)) == expected
 
 
@@ -59,7 +59,7 @@ def test_depots_ends_and_tours_of_types_are_told_apart(view):
     tours = [Tour(TOURS[0].visits, 30.0, agent=1)]
     ax = view(UNLIKE, tours)
     places = ["depot of type 0, 2", "depot of type 1", "end of type 1", "end of type 2"]
-    assert _legend(ax) == ["target's path", "time window", "tour 0 (type 1)", *places, "3 idle agents"]
+    assert _legend(ax) == ["target's path", "time window", "tour 0 (type 1), back at 30 s", *places, "3 idle agents"]
     (flown,) = _lines(ax, COLOURS[0])
     assert flown[[0, -1], :2].tolist() == [[30.0, 0.0], [0.0, 0.0]]
     with pytest.raises(InputError, match="agent None is not one of the 3 types"):
@@ -68,7 +68,8 @@ def test_depots_ends_and_tours_of_types_are_told_apart(view):
 
 @pytest.mark.parametrize("view", VIEWS)
 def test_an_empty_tour_is_an_idle_agent(view):
-    assert _legend(view(INSTANCE.with_agents(2), [Tour((), 0.0), *TOURS]))[2:] == ["tour 1", "depot", "1 idle agent"]
+    expected = ["tour 1, back at 30 s", "depot", "1 idle agent"]
+    assert _legend(view(INSTANCE.with_agents(2), [Tour((), 0.0), *TOURS]))[2:] == expected
 
 
 @pytest.mark.parametrize("view", VIEWS)
@@ -103,15 +104,28 @@ def test_the_plan_shows_windows_and_tours_where_they_are():
     windows = [line.tolist() for line in _lines(ax, "#F5C45E")]
     assert windows == [[[10, 1], [10, 3]], [[10, 6], [10, 10]], [[0, 20], [0, 20]]]
     assert _lines(ax, COLOURS[0])[0].tolist() == [[0, 0], [10, 2], [0, 20], [0, 0]]
-    labels = {text.get_text(): text.xy for text in ax.texts if text.get_text()}
-    assert labels == {"0": (10.0, 2.0), "1": (0.0, 20.0)}
+    labels = {text.get_text(): text.xy for text in ax.texts}
+    assert labels == {"0: 10 s": (10.0, 2.0), "1: 20 s": (0.0, 20.0), "0": (10.0, 8.0)}  # the last: of a free window
+
+
+def test_each_leg_of_the_plan_has_an_arrowhead_that_points_the_way():
+    heads = [line for line in plan_view(INSTANCE, TOURS).lines if isinstance(line.get_marker(), tuple)]
+    places = [line.get_xydata()[0].tolist() for line in heads]
+    assert np.array(places) == pytest.approx(np.array([[4, 0.8], [6, 9.2], [0, 12]]))
+    turns = [line.get_marker()[2] for line in heads]  # of a triangle that points up
+    assert turns == pytest.approx([np.degrees(np.arctan2(2, 10)) - 90, np.degrees(np.arctan2(18, -10)) - 90, -180])
+
+
+def test_a_leg_without_room_has_no_arrowhead():
+    near = [Tour((Visit(0, 10.0, (10.0, 2.0)), Visit(1, 20.0, (10.1, 2.0))), 30.0)]
+    assert sum(isinstance(line.get_marker(), tuple) for line in plan_view(INSTANCE, near).lines) == 2
 
 
 def test_space_time_puts_visits_at_their_times():
     ax = space_time_view(INSTANCE, TOURS)
     assert _lines(ax, COLOURS[0])[0].tolist() == [[0, 0, 0], [10, 2, 10], [0, 20, 20], [0, 0, 30]]
     assert _lines(ax, "#F5C45E")[0].tolist() == [[10, 1, 5], [10, 3, 15]]
-    assert {text.get_text() for text in ax.texts} == {"0", "1"}
+    assert [text.get_text() for text in ax.texts] == ["0", "1", " 0"]  # visits, then the window that has none
 
 
 def test_a_window_across_a_bend_follows_the_path():
@@ -124,11 +138,15 @@ def test_an_instance_without_tours_can_be_drawn(view):
     assert _legend(view(INSTANCE)) == ["target's path", "time window", "depot"]
 
 
-def test_labels_of_visits_at_one_place_do_not_cover_each_other():
+def test_words_cover_neither_each_other_nor_a_tour():
     together = instance(still(10, 0), still(10, 0))
     tour = Tour((Visit(0, 10.0, (10.0, 0.0)), Visit(1, 11.0, (10.0, 0.0))), 30.0)
-    first, second = (text.xyann for text in plan_view(together, [tour]).texts if text.get_text())
-    assert np.hypot(*np.subtract(first, second)) > 10
+    ax = plan_view(together, [tour])
+    ax.figure.draw_without_rendering()
+    first, second = (text.get_window_extent() for text in ax.texts)
+    assert not first.overlaps(second)
+    leg = ax.transData.transform([(x, 0.0) for x in np.linspace(0.0, 10.0, 50)])
+    assert not any(box.contains(*spot) for box in (first, second) for spot in leg)
 
 
 def test_thirty_agents_are_told_apart():
@@ -179,6 +197,7 @@ def test_shares_of_a_segment_are_the_segment_scaled():
     graph = build_graph(instance(moving((10, 0), (1, 0.2), [(20, 40)])))
     ax = perspective_view(graph, 1, shares=(0.5, 1.0))
     half, whole, nothing = (np.column_stack(line.get_data()) for line in ax.lines)
+    assert [text.get_text() for text in ax.texts] == ["$y = 0.5$", "$y = 1$", "$y = 0$"]
     assert whole == pytest.approx(np.array([[30, 20], [50, 40]]))
     assert half == pytest.approx(whole / 2) and nothing.tolist() == [[0, 0]]
 
@@ -186,12 +205,13 @@ def test_shares_of_a_segment_are_the_segment_scaled():
 def test_sizes_are_drawn_against_the_number_of_agents():
     ax = sizes_view({"baseline": [10, 20, 30], "micp": [12, 12, 12]})
     assert [np.column_stack(line.get_data()).tolist()[-1] for line in ax.lines] == [[3, 30], [3, 12]]
-    assert _legend(ax) == ["baseline", "micp"]
+    assert _legend(ax) == ["baseline", "MICP"]
 
 
 def test_the_reach_of_an_agent_is_a_cone_in_time():
     road = instance(moving((10, 0), (0.5, 0), [(5, 15)]), still(-20, 0))
     ax = reach_view(road, 10.0, 20.0, meetings=[(30.0, 25.0)])
+    assert ax.get_ylim()[0] < 0  # a star at time 0 would be whole
     assert ax.patches[0].get_xy()[:3].tolist() == [[10, 20], [10 - 4 * 80, 100], [10 + 4 * 80, 100]]
     assert _lines(ax, "#F5C45E")[0].tolist() == [[12.5, 5], [17.5, 15]]
     assert _legend(ax) == ["can be reached", "target's path", "time window", "earliest meeting", "agent"]

@@ -28,20 +28,20 @@ def _named(ax):
 def test_a_line_joins_the_means_and_bars_reach_from_least_to_largest():
     ax = relaxation_view(ROWS)
     lines = _named(ax)
-    assert list(lines) == ["windows of 20 s", "windows of 40 s", "baseline, all"]
-    assert lines["windows of 20 s"][:, 1] == pytest.approx([0.8, 0.6])
-    assert np.abs(lines["windows of 20 s"][:, 0] - [5, 10]).max() < 1
+    assert list(lines) == ["MICP, windows of 20 s", "MICP, windows of 40 s", "baseline, all"]
+    assert lines["MICP, windows of 20 s"][:, 1] == pytest.approx([0.8, 0.6])
+    assert np.abs(lines["MICP, windows of 20 s"][:, 0] - [5, 10]).max() < 1
     first, _ = ax.collections[0].get_segments()
     assert first[:, 1] == pytest.approx([0.7, 0.9])
     assert lines["baseline, all"].tolist() == [[5, 0], [10, 0]]
 
 
 def test_lines_by_agents_are_named_by_agents():
-    assert list(_named(relaxation_view(ROWS, by="agents")))[:2] == ["1 agent", "2 agents"]
+    assert list(_named(relaxation_view(ROWS, by="agents")))[:2] == ["MICP, 1 agent", "MICP, 2 agents"]
 
 
 def test_bounds_are_drawn_below_the_optimum_from_zero():
-    ax = growth_view([10, 20], [100.0, 90.0], {"MICP": [80.0, 60.0], "baseline": [0.0, 0.0]})
+    ax = growth_view([10, 20], [100.0, 90.0], {"micp": [80.0, 60.0], "baseline": [0.0, 0.0]})
     assert {name: line[:, 1].tolist() for name, line in _named(ax).items()} == {
         "optimum": [100, 90],
         "MICP": [80, 60],
@@ -52,12 +52,18 @@ def test_bounds_are_drawn_below_the_optimum_from_zero():
 
 def test_a_flow_is_as_thick_as_its_share_and_whole_edges_are_solid():
     problem = instance(moving((10, 0), (0, 0.2), [(5, 15)]))
-    y, tails = np.array([1.0, 0.5, 0.25]), np.zeros((3, 2))
-    ax = flow_view(problem, y, tails, tails + 1.0)
-    edges = [line for line in ax.lines if line.get_xydata().tolist() == [[0, 0], [1, 1]]]
+    y, tails = np.array([1.0, 0.5, 0.05]), np.zeros((3, 2))
+    ax = flow_view(problem, y, tails, tails + [0.0, 8.0])
+    edges = [line for line in ax.lines if len(line.get_xydata()) == 21]
+    assert all(line.get_xydata()[[0, -1]].tolist() == [[0, 0], [0, 8]] for line in edges)
     assert [line.get_linestyle() for line in edges] == ["-", "--", "--"]
-    assert np.diff([line.get_linewidth() for line in edges]) == pytest.approx([-1.5, -0.75])
-    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["whole", "fraction", "depot"]
+    assert np.diff([line.get_linewidth() for line in edges]) == pytest.approx([-1.0, -0.9])
+    assert edges[0].get_xydata()[10] == pytest.approx([0.6, 4.0])  # bent to the right, by 0.15 of its length at most
+    heads = [line for line in ax.lines if isinstance(line.get_marker(), tuple)]
+    assert [line.get_marker()[2] for line in heads] == [0, 0, 0] and heads[0].get_xydata()[0] == pytest.approx([0.6, 4])
+    assert [text.get_text() for text in ax.texts] == ["0", "1.00", "0.50"]  # a window's number, then shares
+    names = ["target's path", "time window", "depot", "whole flow", "fraction"]
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == names
 
 
 @pytest.mark.parametrize("view, data", [(relaxation_view, (ROWS,)), (growth_view, ([10], [5.0], {}))])

@@ -6,6 +6,7 @@ import pytest
 from matplotlib.colors import to_hex
 
 from mamttsp.figures import COLOURS, panels_view, runtime_gap_view
+from mamttsp.figures.runtimes import time_scale
 
 COLUMNS = ["total_window_s", "agents", "targets", "formulation", "runtime_s", "gap_percent"]
 PUBLISHED = pd.DataFrame(
@@ -36,9 +37,30 @@ def _heights(ax, number):
 def test_a_bar_is_as_high_as_its_run_time():
     ax = runtime_gap_view(PUBLISHED)
     assert _heights(ax, 0) == [10, 40] and _heights(ax, 1) == [30, 1800]
-    assert ax.get_ylim()[0] == 0 and ax.get_ylim()[1] > 1800
+    assert ax.get_yscale() == "log" and ax.get_ylim()[0] == 1 and ax.get_ylim()[1] > 1800
     places = [bar.get_center()[0] for bar in (*_bars(ax, 0), *_bars(ax, 1))]
     assert places == pytest.approx([-0.2, 0.8, 0.2, 1.2])
+
+
+def test_no_marker_covers_a_bar():
+    ax = runtime_gap_view(PUBLISHED)
+    gaps = ax.figure.axes[-1]
+    ax.figure.draw_without_rendering()
+    top = max(bar.get_window_extent().y1 for bar in ax.patches)
+    marks = [gaps.transData.transform(spot)[1] for line in gaps.lines for spot in line.get_xydata()]
+    assert marks and min(marks) > top + 4  # a marker's half height, in pixels
+
+
+def test_every_bar_can_be_seen_also_beside_one_at_the_limit():
+    rows = PUBLISHED.assign(runtime_s=["<1", "1.5", "1800", "1800"])
+    assert time_scale(rows) == (0.1, 1800)
+    ax = runtime_gap_view(rows)
+    ax.figure.draw_without_rendering()
+    assert min(bar.get_window_extent().height for bar in ax.patches) > 20
+
+
+def test_without_any_run_time_there_is_a_scale_all_the_same():
+    assert time_scale(PUBLISHED.assign(runtime_s=float("nan"))) == (0.1, 1.0)
 
 
 def test_a_line_goes_through_the_gaps_on_an_axis_in_percent():
@@ -79,16 +101,27 @@ def test_a_size_that_only_one_formulation_has_is_missing_for_the_other():
 )
 def test_there_is_a_panel_for_each_value(by, values, names):
     rows = pd.concat(PUBLISHED.assign(**{by: value, "runtime_s": [1, 2, 3, 10 * value]}) for value in values)
-    axes = panels_view(rows, by, "Solver, limit, machine")
+    axes = panels_view(rows, by, "Ours", "Solver, limit, machine")
     assert [ax.get_title() for ax in axes] == names
     assert [_heights(ax, 1) for ax in axes] == [[2, 10 * value] for value in values]
+    assert len({ax.get_ylim() for ax in axes}) == 1
     figure = axes[0].figure
-    assert figure.get_suptitle() == "Solver, limit, machine"
-    legend = [text.get_text() for text in figure.legends[0].get_texts()]
-    assert legend == ["MICP: time", "baseline: time", "MICP: % gap", "baseline: % gap"]
+    assert [text.get_text() for text in figure.texts] == ["Solver, limit, machine"]
+    (legend,) = figure.legends
+    assert legend.get_title().get_text() == "Ours"
+    assert [text.get_text() for text in legend.get_texts()] == ["MICP", "baseline"]
+    figure.draw_without_rendering()
+    (caption,), boxes = figure.texts, [ax.get_tightbbox() for ax in axes]
+    assert caption.get_window_extent().y1 < min(box.y0 for box in boxes)
+    assert legend.get_window_extent().y0 > max(box.y1 for box in boxes)
+
+
+def test_panels_have_the_scale_that_they_are_given():
+    (ax,) = panels_view(PUBLISHED, "agents", "Ours", scale=(0.01, 1e4))
+    assert ax.get_ylim()[0] == 0.01 and ax.get_ylim()[1] > 1e4
 
 
 def test_panels_are_drawn_on_the_axes_they_are_given():
-    axes = plt.figure().subplots(2)
+    axes = plt.figure(layout="constrained").subplots(2)
     both = pd.concat([PUBLISHED, PUBLISHED.assign(agents=2)])
     assert list(panels_view(both, "agents", "", axes=list(axes))) == list(axes) and len(plt.get_fignums()) == 1

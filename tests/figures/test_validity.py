@@ -38,10 +38,10 @@ def test_without_a_cycle_there_is_no_loop():
 
 
 def test_claims_are_drawn_against_the_miss():
-    ax = leak_view([0.01, 0.1, 1.0], {"one": [20, 20, 120], "two": [119, 120, 121]}, [119, 120, 121], 0.5)
+    ax = leak_view([0.01, 0.1, 1.0], {"baseline": [20, 20, 120], "micp": [119, 120, 121]}, [119, 120, 121], 0.5)
     drawn = lines(ax)
-    assert drawn["claimed by one"].tolist() == [[0.01, 20], [0.1, 20], [1, 120]]
-    assert np.array_equal(drawn["true optimum"], drawn["claimed by two"])
+    assert drawn["claimed by baseline"].tolist() == [[0.01, 20], [0.1, 20], [1, 120]]
+    assert np.array_equal(drawn["true optimum"], drawn["claimed by MICP"])
     assert ax.get_xscale() == "log" and ax.get_ylim()[0] == 0
     (limit,) = [data for label, data in drawn.items() if "tolerance" in label]
     assert set(limit[:, 0]) == {0.5}
