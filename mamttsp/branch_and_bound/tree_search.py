@@ -99,11 +99,10 @@ class TreeSearch:
             bound = max(bound, relaxed.bound)
             if bound >= self.cutoff or not self._cut_subtours(relaxed.y) or self._time_left() <= 0:
                 break
-        if not math.isinf(bound):
-            self.best.near(relaxed.y, alive)
         if bound >= self.cutoff:
             self.closed = min(self.closed, bound)
             return None
+        self.best.near(relaxed.y, alive)
         return bound, self._without_dear_edges(bound, alive, relaxed.extra), relaxed.y
 
     def _finish(self, alive):

@@ -34,7 +34,7 @@ def open_route_bars(reduced, longer):
     rows: `runtime_s` and `gap_percent`, the means as in the paper over `rows` of `runs` instances, `no_tours` of them
     without tours (100 % gap); `time_limit` in s. reduced, longer: as for `pairs_of`.
     """
-    rows = pairs_of(reduced, longer)
+    rows = pairs_of(reduced, longer).astype({"total_window": int, "agents": int, "n": int})
     groups = rows.assign(empty=rows.objective.isna()).groupby([*SETTING, "route"])
     table = groups.agg(
         runs=("wanted", "max"),
