@@ -16,9 +16,11 @@ _ALPHA, _L, _Y, _FIRST = range(4)  # kinds of variables; from _FIRST on the inte
 class Entries:
     """Entries of a program without positions, side by side.
 
-    row: of the program; kind: of its variable; owner: which of these, an edge or of alpha a layer; value: the number.
+    n_rows: of the program, of which some may have no entry; row: of the program; kind: of the variable; owner: which
+    of that kind, an edge or, of alpha, a layer; value: the number.
     """
 
+    n_rows: int
     row: np.ndarray
     kind: np.ndarray
     owner: np.ndarray
@@ -34,14 +36,15 @@ class Entries:
             kind[columns], owner[columns] = k, np.arange(len(columns))
         row, column = A.coords
         held = kind[column] >= 0
-        return Entries(row[held], kind[column[held]], owner[column[held]], A.data[held])
+        return Entries(A.shape[0], row[held], kind[column[held]], owner[column[held]], A.data[held])
 
     def on(self, alive):
         """Return the entries of alpha and of the edges in `alive` (|E|,), which are numbered anew."""
         place = np.cumsum(alive) - 1
         held = (self.kind == _ALPHA) | alive[self.owner % len(alive)]
         row, kind, owner = self.row[held], self.kind[held], self.owner[held]
-        return Entries(row, kind, np.where(kind == _ALPHA, owner, place[owner % len(alive)]), self.value[held])
+        owner = np.where(kind == _ALPHA, owner, place[owner % len(alive)])
+        return Entries(self.n_rows, row, kind, owner, self.value[held])
 
     def matrix(self, core, cones, K, R, lo, width):
         """Return (A, number): the rows `core` and `cones` of the program, with the signs, so many, between them.
@@ -53,7 +56,7 @@ class Entries:
         u = np.full(wide.shape, -1)
         u[wide] = K + 2 * n + np.arange(wide.sum())
         signs = _signs(u, wide, K, len(core))
-        place = np.full(self.row.max() + 1, -1)
+        place = np.full(self.n_rows, -1)
         place[core] = np.arange(len(core))
         place[cones] = len(core) + signs.number + np.arange(len(cones))
         held = place[self.row] >= 0
