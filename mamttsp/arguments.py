@@ -49,7 +49,7 @@ def parser():
     command.add_argument("-o", "--output", required=True, metavar="PICTURE", help=formats)
 
     command = commands.add_parser("campaign", help="many runs, a row of a CSV file each; started again, it goes on")
-    command.add_argument("--profile", required=True, help="smoke, reduced, full or exact")
+    command.add_argument("--profile", required=True, help="smoke, reduced, claims, full or exact")
     command.add_argument("--results", required=True, metavar="FILE.csv", help="the rows, appended to those there")
     command.add_argument("--jobs", type=int, metavar="N", help="runs at the same time (default: 1)")
     cluster = "of a dask.distributed cluster that does the runs (default: none, they are done here)"

@@ -1,6 +1,7 @@
 """Our branch and bound for the MICP over conic relaxations (Clarabel): small, exact, with a proved bound at any stop.
 
 Best bound first, with dives (`tree_search`). At a node the edges left and their times are propagated (`propagation`),
-the relaxation is solved on them alone (`perspective`), violated subtour cuts are added (`separation`), tours near its
-flow are tried (`rounding`, `best_found`), and the node is split by whether one target follows another (`branching`).
+the relaxation is solved on them alone (`perspective`, `edge_entries`), violated subtour cuts are added (`separation`),
+tours near its flow are tried (`rounding`, `best_found`), and the node is split by whether one target follows another
+(`branching`), where such splits have raised the bound most so far (`pseudo_costs`).
 """

@@ -1,26 +1,38 @@
 """Where the search for the MICP branches: does one target follow another? And then: on which edge?"""
 
+from typing import NamedTuple
+
 import numpy as np
 
 _TOLERANCE = 1e-6
 
 
-def branch(graph, y, alive):
-    """Return two sets of edges (|E|,), parts of `alive`, that share out all choices; None if one choice is left.
+class Children(NamedTuple):
+    """flown, other: two sets of edges (|E|,) that share out all choices; pair, flow: the pair of targets of which one
+    follows the other in the first and not in the second, and its flow, None if the two differ by an edge."""
 
-    In the first set some target, or the depot, is followed by some other one; in the second it is not. The pair whose
-    flow in y is nearest to one half is taken: it changes most either way. Once all pairs are whole, the fractional edge
-    with the most flow is.
+    flown: np.ndarray
+    other: np.ndarray
+    pair: int | None = None
+    flow: float | None = None
+
+
+def branch(graph, y, alive, costs):
+    """Return the Children of a node with the flow y (|E|,) on the edges in `alive`; None if one choice is left.
+
+    Of the pairs with fractional flow the one is taken that the PseudoCosts `costs` promise most of. Once all pairs are
+    whole, the fractional edge with the most flow is.
     """
-    leaving, entering = graph.tau[graph.edges.T] % (graph.n_targets + 1)  # s and s', -1 in tau, come last
-    pair = leaving * (graph.n_targets + 1) + entering
-    distance = np.abs(np.bincount(pair[alive], y[alive], minlength=1) - 0.5)
-    if distance.min() < 0.5 - _TOLERANCE:
-        chosen = pair == distance.argmin()
-    elif (edge := _edge(graph, y, alive)) is not None:
-        chosen = np.arange(len(alive)) == edge
-    else:
-        return None
+    flow = costs.flow(y, alive)
+    fractional = (flow > _TOLERANCE) & (flow < 1.0 - _TOLERANCE)
+    if fractional.any():
+        pair = int(np.where(fractional, costs.scores(flow), -1.0).argmax())
+        return Children(*_shared_out(graph, alive, costs.pair == pair), pair, flow[pair])
+    edge = _edge(graph, y, alive)
+    return None if edge is None else Children(*_shared_out(graph, alive, np.arange(len(alive)) == edge))
+
+
+def _shared_out(graph, alive, chosen):
     return alive & ~_rivals(graph, chosen), alive & ~chosen
 
 

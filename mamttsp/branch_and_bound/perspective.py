@@ -10,9 +10,9 @@ import dataclasses
 import math
 
 import numpy as np
-from scipy import sparse
 
 from ..conic_solver import claims_infeasible, dual_point, minimise
+from .edge_entries import Entries
 from .edge_rows import INTERVALS, EdgeRows, without_positions
 from .loads import load_limits
 
@@ -50,32 +50,32 @@ class Perspective:
         self._take(self.program.with_cuts(cuts))
 
     def _take(self, program):
-        self.program, self.rows = program, EdgeRows(program)
+        self.program, self.rows, self.entries = program, EdgeRows(program), Entries.of(program, self.names)
 
     def relax(self, alive, times, time_limit=None):
         """Solve the relaxation on the edges in `alive` (|E|,) with their times (|E|, 4) and return a NodeRelaxation."""
         e = np.flatnonzero(alive)
         lo, width = self._intervals(e, times[e])
-        columns = self._columns(e, lo, width)
-        A = self.program.A @ columns
-        used = np.diff(A.indptr) > 0
+        entries, b = self.entries.on(alive), self.program.b
+        used = np.zeros(len(b), dtype=bool)
+        used[entries.row] = True
         zero, nonneg, cone = self._rows(e, times[e])
-        if (self.program.b[zero[~used[zero]]] != 0).any() or (self.program.b[nonneg[~used[nonneg]]] < 0).any():
+        if (b[zero[~used[zero]]] != 0).any() or (b[nonneg[~used[nonneg]]] < 0).any():
             return NodeRelaxation(math.inf, np.zeros(len(alive)), np.zeros(len(alive)))  # 0 = 1, say
         zero, nonneg = zero[used[zero]], nonneg[used[nonneg]]
-        rows = np.concatenate([zero, nonneg, cone])
-        return self._solve(e, A[rows], self.program.b[rows], (len(zero), len(nonneg)), width > 0, time_limit)
+        A, n_signs = entries.matrix(np.concatenate([zero, nonneg]), cone, self.K, self.R, lo, width)
+        b = np.concatenate([b[zero], b[nonneg], np.zeros(n_signs), b[cone]])
+        return self._solve(e, A, b, (len(zero), len(nonneg)), n_signs, width > 0, time_limit)
 
-    def _solve(self, e, A, b, size, wide, time_limit):
-        """Minimise the sum of l over the rows (A, b), of which size = (zero, nonneg) come before the cones."""
-        n, core, signs, K = len(e), sum(size), _signs(len(e), wide, self.K), self.K
+    def _solve(self, e, A, b, size, n_signs, wide, time_limit):
+        """Minimise the sum of l over the rows (A, b): size = (zero, nonneg), then the signs, then the cones."""
+        n, K, core = len(e), self.K, sum(size)
         c = np.zeros(A.shape[1])
         c[K + n : K + 2 * n] = 1.0
-        A_full = sparse.vstack([A[:core], signs, A[core:]], format="csc")
-        b_full = np.insert(b, core, np.zeros(signs.shape[0]))
-        size = size[0], size[1] + signs.shape[0]
-        answer = minimise(c, A_full, b_full, *size, self.threads, time_limit)
-        z = np.delete(dual_point(answer, *size), np.s_[core : core + signs.shape[0]])
+        size = size[0], size[1] + n_signs
+        answer = minimise(c, A, b, *size, self.threads, time_limit, refined=False)
+        z = dual_point(answer, *size)
+        z[core : core + n_signs] = 0.0
         flow, extra = np.zeros(len(self.graph.edges)), np.zeros(len(self.graph.edges))
         flow[e] = np.nan_to_num(answer.x[K : K + n])
         if claims_infeasible(answer) and self._proved(0 * c, A, b, z, wide)[0] > _ROUNDING * np.abs(b * z).sum():
@@ -113,22 +113,6 @@ class Perspective:
             lo, hi = np.vstack([lo, least]), np.vstack([hi, most])
         return lo, hi - lo
 
-    def _columns(self, e, lo, width):
-        """Return the matrix that gives the program's columns from alpha, y, l and the u of each width above 0."""
-        columns, n, K = self.program.columns, len(e), self.K
-        own = K + np.arange(n)
-        into = [np.atleast_1d(columns["alpha"]), columns["l"][e], columns["y"][e]]
-        of, by = [np.arange(K), own + n, own], [np.ones(K), np.full(n, self.R), np.ones(n)]
-        size = K + 2 * n
-        for name, least, wide in zip(self.names, lo, width):
-            u = np.flatnonzero(wide > 0)
-            into += [columns[name][e], columns[name][e[u]]]
-            of += [own, size + np.arange(len(u))]
-            by += [least, wide[u]]
-            size += len(u)
-        into, of, by = (np.concatenate(part) for part in (into, of, by))
-        return sparse.csr_array((by, (into, of)), shape=(len(self.program.c), size))
-
     def _rows(self, e, times):
         """Return the rows that join edges, zero and at least zero, with the speed rows that matter, and the cones."""
         g = self.graph
@@ -139,14 +123,3 @@ class Perspective:
         binding = np.hypot(*gap.T) > g.speeds[g.layer[i]] * (arrive - leave)
         nonneg = np.concatenate([self.rows.joint, self.rows.speed[e[binding]]])
         return self.rows.zero, nonneg, (self.rows.cone[e][:, None] + np.arange(3)).ravel()
-
-
-def _signs(n, wide, K):
-    """Return the rows of u >= 0 and u <= y for each interval of each edge, and y >= 0 where an edge has no u."""
-    size = wide.sum()
-    owner = np.concatenate([np.flatnonzero(w) for w in wide])
-    bare = np.flatnonzero(~wide.any(axis=0))
-    unit = sparse.eye_array(size, format="csr")
-    above = sparse.csr_array((np.ones(size), (np.arange(size), K + owner)), shape=(size, K + 2 * n))
-    y = sparse.csr_array((-np.ones(len(bare)), (np.arange(len(bare)), K + bare)), shape=(len(bare), K + 2 * n))
-    return sparse.block_array([[None, -unit], [-above, unit], [y, None]], format="csr") if size else y

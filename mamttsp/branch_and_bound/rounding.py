@@ -20,9 +20,9 @@ def round_flow(graph, y, alive, counts):
 
 def _join(graph, edges, heavy, counts):
     chains = _Chains(graph, graph.edges[heavy])
-    for i, j in graph.edges[edges].tolist():
-        if graph.tau[i] >= 0 and graph.tau[j] >= 0:
-            chains.join(i, j)
+    between = (graph.tau[graph.edges[edges]] >= 0).all(axis=1)
+    for i, j in graph.edges[edges[between]].tolist():
+        chains.join(i, j)
     for i in graph.V_seg:
         chains.add(i)
     routes = sorted(set(chains.chain.values()))

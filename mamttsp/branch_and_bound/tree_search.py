@@ -14,6 +14,7 @@ from .branching import branch
 from .loads import load_limits
 from .perspective import Perspective
 from .propagation import propagate
+from .pseudo_costs import FLOWN, NOT_FLOWN, PseudoCosts
 from .separation import violated_sets
 
 #: relative gap below which relaxations and best times are too inexact to tell lengths apart
@@ -30,6 +31,7 @@ class TreeSearch:
         self.start = time.perf_counter()
         self.options, self.graph, self.counts = options, formulation.graph, formulation.counts
         self.relaxation = Perspective(formulation.conic_program().relaxed(), self.graph, self.counts, options.threads)
+        self.costs = PseudoCosts(self.graph)
         self.heap, self.order = [], itertools.count()
         self.current = 0.0  # bound of the node at hand; 0 is a bound of every length
         self.closed = math.inf  # least bound at which something was given up for being no better than the incumbent
@@ -46,7 +48,7 @@ class TreeSearch:
     @property
     def bound(self):
         """A lower bound on every set of tours, at any time."""
-        return min(self.best.length, self.closed, self.current, *(bound for bound, _, _ in self.heap[:1]))
+        return min(self.best.length, self.closed, self.current, *(node[0] for node in self.heap[:1]))
 
     @property
     def spent(self):
@@ -59,33 +61,45 @@ class TreeSearch:
         self._push(0.0, least <= most)
         while self.heap and self.heap[0][0] < self.cutoff:
             self.current = self.heap[0][0]  # before the node is taken off, so that `bound` holds at any moment
-            bound, _, alive = heapq.heappop(self.heap)
-            if not self._dive(bound, alive):
+            bound, _, alive, branched = heapq.heappop(self.heap)
+            if not self._dive(bound, alive, branched):
                 return False
             self.current = math.inf
         return True
 
-    def _push(self, bound, alive):
-        heapq.heappush(self.heap, (bound, next(self.order), alive))
+    def _push(self, bound, alive, branched=None):
+        heapq.heappush(self.heap, (bound, next(self.order), alive, branched))
 
-    def _dive(self, bound, alive):
-        """Follow one branch down until nothing better is left in it; return False if time ran out."""
+    def _dive(self, bound, alive, branched):
+        """Follow one branch down until nothing better is left in it; return False if time ran out.
+
+        branched: (side, pair, flow) of the branching that made the node, None if it was on no pair.
+        """
         while self._time_left() > 0:
             found = self._process(bound, alive)
             self._report()
+            self._learn(branched, bound, found)
             if found is None:
                 return True
             bound, alive, y = found
             self.current = bound
             if self._time_left() <= 0:  # cuts may be missing, so that y is no flow to branch on
                 break
-            children = branch(self.graph, y, alive)
+            children = branch(self.graph, y, alive, self.costs)
             if children is None:
                 self._finish(alive)
                 return True
-            alive, other = children
-            self._push(bound, other)
+            alive = children.flown
+            sides = (FLOWN, NOT_FLOWN) if children.pair is not None else ()
+            branched, beside = [(side, children.pair, children.flow) for side in sides] or (None, None)
+            self._push(bound, children.other, beside)
         return False
+
+    def _learn(self, branched, before, found):
+        """Note by how much a branching raised the bound; a node with nothing better left has reached the cutoff."""
+        after = self.cutoff if found is None else found[0]
+        if branched is not None and not math.isinf(after):
+            self.costs.learn(*branched, max(after - before, 0.0))
 
     def _process(self, bound, alive):
         """Return (bound, alive, y) of a node with less left to it, or None if nothing better than the incumbent is."""
@@ -99,11 +113,10 @@ class TreeSearch:
             bound = max(bound, relaxed.bound)
             if bound >= self.cutoff or not self._cut_subtours(relaxed.y) or self._time_left() <= 0:
                 break
-        if not math.isinf(bound):
-            self.best.near(relaxed.y, alive)
         if bound >= self.cutoff:
             self.closed = min(self.closed, bound)
             return None
+        self.best.near(relaxed.y, alive)
         return bound, self._without_dear_edges(bound, alive, relaxed.extra), relaxed.y
 
     def _finish(self, alive):

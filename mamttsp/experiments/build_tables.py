@@ -7,26 +7,28 @@ import pandas as pd
 
 from ..validation import InputError
 from .campaigns.rows import line_of, text_of
-from .campaigns.runs import profile
 from .claims.claim_table import claim_table
 from .summaries.best_known import best_known
 from .summaries.best_solutions import of_rows, update
 from .summaries.published import read_published
-from .summaries.row_statistics import of_runs, read_table
+from .summaries.row_statistics import read_table
 
 
 def build_tables(folder):
-    """Write both tables into `folder`, from its published.csv, exact.csv and reduced.csv, and yield their paths.
+    """Write both tables into `folder`, from its published.csv and the rows in it, and yield their paths.
+
+    The rows: exact.csv, reduced.csv and claims_runs.csv.
 
     Where there is a folder `instances`, what the rows know better is taken into its own best_known.csv.
     InputError: a file is missing or has other columns, rows contradict each other, or a table cannot be written.
     """
     folder = Path(folder)
-    exact, reduced = read_table(folder / "exact.csv"), read_table(folder / "reduced.csv")
-    best = best_known(pd.concat([exact, reduced], ignore_index=True))
+    names = ("exact", "reduced", "claims_runs")
+    exact, reduced, longer = (read_table(folder / f"{name}.csv") for name in names)
+    best = best_known(pd.concat([exact, reduced, longer], ignore_index=True))
     yield _write(best, folder / "best_known.csv")
-    published, runs = read_published(folder / "published.csv"), profile("reduced")
-    yield _write(claim_table(published, of_runs(reduced, runs), exact), folder / "claims.csv")
+    published = read_published(folder / "published.csv")
+    yield _write(claim_table(published, reduced, longer, exact), folder / "claims.csv")
     if (folder / "instances").is_dir():
         yield update(folder / "instances", of_rows(best))
 

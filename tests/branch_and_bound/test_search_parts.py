@@ -9,6 +9,7 @@ from mamttsp import build_graph, generate
 from mamttsp.branch_and_bound.branching import branch
 from mamttsp.branch_and_bound.perspective import Perspective
 from mamttsp.branch_and_bound.propagation import propagate
+from mamttsp.branch_and_bound.pseudo_costs import FLOWN, NOT_FLOWN, PseudoCosts
 from mamttsp.branch_and_bound.rounding import round_flow
 from mamttsp.branch_and_bound.separation import depot_cuts, violated_sets
 from mamttsp.flow import read_flow
@@ -81,6 +82,30 @@ def test_on_one_route_the_relaxation_is_its_length(problem):
 
 
 @pytest.mark.parametrize("problem", INSTANCES)
+def test_the_matrix_of_a_relaxation_is_the_programs_with_its_variables_put_in(problem):
+    graph, relaxation = _relaxation(problem)
+    alive, times = propagate(graph, np.arange(len(graph.edges)) % 3 > 0)
+    e, rows, program = np.flatnonzero(alive), relaxation.rows, relaxation.program
+    lo, width = relaxation._intervals(e, times[e])
+    cones = (rows.cone[e][:, None] + np.arange(3)).ravel()
+    entries, core = relaxation.entries.on(alive), np.concatenate([rows.zero, rows.joint, rows.speed[e]])
+    A, n_signs = entries.matrix(core, cones, relaxation.K, relaxation.R, lo, width)
+    alpha, y, l, u = np.split(np.random.default_rng(0).random(A.shape[1]), np.cumsum([relaxation.K, len(e), len(e)]))
+    x, share = np.zeros(len(program.c)), np.zeros(width.shape)
+    share[width > 0] = u
+    x[np.atleast_1d(program.columns["alpha"])] = alpha
+    x[program.columns["y"][e]], x[program.columns["l"][e]] = y, relaxation.R * l
+    for name, least, wide, part in zip(relaxation.names, lo, width, share):
+        x[program.columns[name][e]] = least * y + wide * part
+    found = A @ np.concatenate([alpha, y, l, u])
+    assert np.delete(found, np.s_[len(core) : len(core) + n_signs]) == pytest.approx(
+        (program.A @ x)[np.concatenate([core, cones])], abs=1e-9
+    )
+    signs = found[len(core) : len(core) + n_signs]
+    assert signs[: len(u)] == pytest.approx(-u) and signs[len(u) : 2 * len(u)] == pytest.approx((share - y)[width > 0])
+
+
+@pytest.mark.parametrize("problem", INSTANCES)
 def test_no_route_is_shorter_than_the_bound_with_what_its_edges_add(problem):
     graph, relaxation = _relaxation(problem)
     relaxed = relaxation.relax(*propagate(graph, np.ones(len(graph.edges), dtype=bool)))
@@ -94,7 +119,7 @@ def test_no_route_is_shorter_than_the_bound_with_what_its_edges_add(problem):
 def test_branching_loses_no_route_and_shares_none(problem):
     graph, relaxation = _relaxation(problem)
     alive, times = propagate(graph, np.ones(len(graph.edges), dtype=bool))
-    children = branch(graph, relaxation.relax(alive, times).y, alive)
+    children = branch(graph, relaxation.relax(alive, times).y, alive, PseudoCosts(graph))[:2]
     assert all((child <= alive).all() and child.sum() < alive.sum() for child in children)
     for route in _routes(graph):
         assert sum(child[_edges_of(graph, route)].all() for child in children) == 1
@@ -103,7 +128,25 @@ def test_branching_loses_no_route_and_shares_none(problem):
 def test_nothing_is_left_to_branch_on_in_one_route():
     graph = build_graph(INSTANCES[1])
     alive = _only(graph, _edges_of(graph, _routes(graph)[0]))
-    assert branch(graph, alive.astype(float), alive) is None
+    assert branch(graph, alive.astype(float), alive, PseudoCosts(graph)) is None
+
+
+def test_branching_goes_where_it_raised_the_bound():
+    graph, relaxation = _relaxation(INSTANCES[0])
+    alive, times = propagate(graph, np.ones(len(graph.edges), dtype=bool))
+    y, costs = relaxation.relax(alive, times).y, PseudoCosts(graph)
+    flow = costs.flow(y, alive)
+    fractional = np.flatnonzero((flow > 1e-3) & (flow < 1 - 1e-3))
+    assert len(fractional) > 1
+    for pair in fractional:
+        costs = PseudoCosts(graph)
+        for side in (FLOWN, NOT_FLOWN):
+            costs.learn(side, pair, flow[pair], 1e3)
+            costs.learn(side, 0, 0.5, 0.0)
+        chosen = branch(graph, y, alive, costs)
+        assert (chosen.pair, chosen.flow) == (pair, flow[pair])
+        assert (costs.pair[chosen.flown & ~chosen.other] == pair).all()
+        assert (costs.pair[chosen.other] != pair).all()
 
 
 def _flow(graph, *paths):

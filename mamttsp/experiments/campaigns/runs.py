@@ -8,7 +8,7 @@ from ...validation import InputError, positive
 
 #: the settings of the paper's Figures 2 and 3: (total window in s, agents)
 SETTINGS = ((20, 1), (40, 1), (60, 1), (40, 2), (40, 3), (40, 4), (40, 5))
-PROFILES = ("smoke", "reduced", "full", "exact")
+PROFILES = ("smoke", "reduced", "claims", "full", "exact")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -35,9 +35,10 @@ def profile(name, solver=None):
     """Return the list of runs of a profile, small instances first.
 
     "smoke": every method on n = 5 within 5 s, under two minutes in all. "reduced": MICP and baseline on SCIP, and
-    the MICP on our branch and bound over Clarabel, instances 0 to 4 of each n within 60 s. "full": 1120 runs
-    as in the paper, MICP and baseline within 1800 s on `solver` (default: scip). "exact": our own solver on all 560
-    problems within 300 s.
+    the MICP on our branch and bound over Clarabel, instances 0 to 4 of each n within 60 s. "claims": the baseline on
+    SCIP, the MICP on our branch and bound, and on SCIP for instance 0, within 600 s; n = 15, instances 0 to 4, and
+    n = 20, instances 0 to 2. "full": 1120 runs as in the paper, MICP and baseline within 1800 s on `solver` (default:
+    scip). "exact": our own solver on all 560 problems within 300 s.
 
     >>> from mamttsp.experiments import profile
     >>> len(profile("exact")), profile("exact")[0].method
@@ -51,6 +52,8 @@ def profile(name, solver=None):
         return _runs((5,), range(1), ((20, 1), (20, 2)), _SMOKE, 5)
     if name == "reduced":
         return _runs(PAPER_SIZES, range(5), SETTINGS, _REDUCED, 60)
+    if name == "claims":
+        return [run for n, indices in _CLAIMS for index in indices for run in _of_claims(n, index)]
     if name == "full":
         both = [(method, solver or "scip") for method in ("micp", "baseline")]
         return _runs(PAPER_SIZES, PAPER_INDICES, SETTINGS, both, 1800)
@@ -58,6 +61,8 @@ def profile(name, solver=None):
 
 
 _REDUCED = (("micp", "scip"), ("baseline", "scip"), ("micp", "clarabel"))
+#: of the profile "claims": sizes, and the instances of each
+_CLAIMS = ((15, range(5)), (20, range(3)))
 _SMOKE = (("exact", None), *_REDUCED, ("nonconvex", "scip"))
 
 
@@ -70,6 +75,12 @@ def _runs(sizes, indices, settings, methods, time_limit):
         for window, agents in settings
         for route in routes
     ]
+
+
+def _of_claims(n, index):
+    """Return the runs of one instance; the MICP on SCIP, slower than our branch and bound, is looked at once a size."""
+    methods = _REDUCED if index == 0 else [route for route in _REDUCED if route != ("micp", "scip")]
+    return _runs((n,), (index,), SETTINGS, methods, 600)
 
 
 def _route(method, solver):

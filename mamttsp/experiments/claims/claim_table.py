@@ -4,36 +4,44 @@ import pandas as pd
 
 from .bars import LIMIT, our_bars, published_bars
 from .certified import certified
+from .open_routes import BEST_OPEN, ON_SCIP, pairs_of
 from .paper_claims import CLAIMS
 from .verdicts import OPEN
 
-COLUMNS = ("section", "claim", "published", "plot", "ours", "verdict", "reason")
+COLUMNS = ("section", "claim", "quotation", "rule", "published", "plot", "ours", "verdict", "reason", "scip_only")
 
 
-def claim_table(published, reduced, exact, instances=5):
+def claim_table(published, reduced, longer, exact):
     """Return a DataFrame with a line for each claim.
 
-    published: as from published.read_published; reduced, exact: rows as from row_statistics.read_table; instances: at
-    each setting of `reduced`. plot: whether the paper's plot agrees with its text, disagrees, or cannot be read;
-    verdict: what our rows say: one of verdicts.HOLDS, DIRECTION, DIFFERS, OPEN.
+    published: as from published.read_published; reduced, longer, exact: rows of the campaigns "reduced", "claims" and
+    "exact", as from row_statistics.read_table. plot: whether the paper's plot agrees with its text, disagrees, or
+    cannot be read; verdict: what our rows say with the best open route to each program; scip_only: what they say with
+    both programs on SCIP.
     """
-    plots, ours = published_bars(published), our_bars(reduced, exact, instances)
-    lines = [_line(claim, plots, ours, instances) for claim in CLAIMS]
-    return pd.DataFrame([*lines, *certified(reduced, exact)], columns=COLUMNS)
+    plots = published_bars(published)
+    ours, scip = (our_bars(pairs_of(reduced, longer, route), exact) for route in (BEST_OPEN, ON_SCIP))
+    lines = [_line(claim, plots, ours, scip) for claim in CLAIMS]
+    solved = pd.concat([reduced, longer], ignore_index=True)
+    return pd.DataFrame([*lines, *certified(solved, exact)], columns=COLUMNS)
 
 
-def _line(claim, plots, ours, instances):
-    plot, found = claim.find(plots), claim.find(ours)
-    reason = f"{found.counts}; {_coverage(ours, len(plots), instances)}"
-    return claim.section, claim.text, plot.numbers, _agreement(plot), found.numbers, found.verdict, reason
+def _line(claim, plots, ours, scip):
+    plot, found = claim.test.find(plots), claim.test.find(ours)
+    reason = f"{found.counts}; {_coverage(ours, claim.test.settings)}"
+    judged = plot.numbers, _agreement(plot), found.numbers, found.verdict, reason, claim.test.find(scip).verdict
+    return claim.section, claim.text, claim.quotation, claim.rule, *judged
 
 
-def _coverage(ours, settings, instances):
+def _coverage(bars, settings):
     """Return what our numbers rest on, in words."""
-    pairs, wanted = sum(bar.runs for bar in ours.values()) // 2, settings // 2 * instances
-    limits = sorted({bar.limit for bar in ours.values()})
-    limit = f"; limit {' and '.join(f'{one:g}' for one in limits)} s, the paper's {LIMIT:g} s" if limits else ""
-    return ("all rows there" if pairs == wanted else f"only {pairs} of {wanted} pairs of rows are there") + limit
+    found = [bars[key] for setting in settings if (key := (*setting, "micp")) in bars]
+    if not found:
+        return "no rows"
+    pairs, wanted = sum(bar.runs for bar in found), sum(bar.wanted for bar in found)
+    limits = " and ".join(f"{limit:g}" for limit in sorted({bar.limit for bar in found}))
+    missing = f"; no rows at {len(settings) - len(found)} settings" if len(found) < len(settings) else ""
+    return f"{pairs} of {wanted} pairs of rows{missing}; limit {limits} s, the paper's {LIMIT:g} s"
 
 
 def _agreement(plot):

@@ -8,13 +8,13 @@ import math
 from .bars import LIMIT
 from .verdicts import Part
 
-_UNITS = {"runtime": "s", "gap": "%"}
+_UNITS = {"runtime": "s", "gap": "points"}
 _NO_ROWS = "no rows"
 
 
 def speed_up(bars, settings):
     """Run time of the baseline over that of the MICP."""
-    return [_pair(bars, setting, "runtime", _ratio) for setting in settings]
+    return [_pair(bars, setting, "runtime", _ratio, "times") for setting in settings]
 
 
 def seconds_saved(bars, settings):
@@ -38,17 +38,23 @@ def better_in_one(bars, settings):
 
 
 def no_gap(bars, settings):
-    """- % gap of the MICP; what a limit shorter than the paper's stopped tells nothing."""
+    """- % gap of the MICP with the paper's limit."""
     return [_single(bars, (*setting, "micp"), _no_gap) for setting in settings]
 
 
-def gap_left(bars, settings):
-    """% gap of the baseline."""
-    return [_single(bars, (*setting, "baseline"), _gap_left) for setting in settings]
+def mean_gap_left(bars, settings):
+    """% gap of the baseline with the paper's limit, in the mean of all settings."""
+    found = [bars.get((*setting, "baseline")) for setting in settings]
+    label = f"mean of {len(settings)} settings"
+    if None in found:
+        return [Part(label, None, _NO_ROWS)]
+    low, high = (sum(bar.gap[end] for bar in found) / len(found) for end in (0, 1))
+    words = f"{_text((low, high))} %{_stopped_at(found)}"
+    return [Part(label, (0.0 if any(bar.cut_short for bar in found) else low, high), words)]
 
 
 def share_of_limit(bars, settings):
-    """Mean run time of the baseline over the limit."""
+    """Mean run time of the baseline over the paper's limit."""
     return [_single(bars, (*setting, "baseline"), _limit_share) for setting in settings]
 
 
@@ -68,23 +74,20 @@ def later_rise(bars, settings, method="micp"):
     label = f"{_name(settings[0])} to {_name(settings[2])}"
     if None in found:
         return [Part(label, None, _NO_ROWS)]
-    words = ", ".join(f"{bar.runtime_read} s" for bar in found)
-    if found[1].stopped:
-        return [Part(label, None, f"{words}, the second cut short by the limit")]
     a, b, c = (bar.runtime for bar in found)
-    return [Part(label, (c[0] - 2 * b[1] + a[0], c[1] - 2 * b[0] + a[1]), words)]
+    return [Part(label, (c[0] - 2 * b[1] + a[0], c[1] - 2 * b[0] + a[1]), ", ".join(bar.runtime_read for bar in found))]
 
 
-def _pair(bars, setting, quantity, combine):
+def _pair(bars, setting, quantity, combine, unit=None):
     """Return the Part of both formulations."""
     both = [bars.get((*setting, method)) for method in ("baseline", "micp")]
     if None in both:
         return Part(_name(setting), None, _NO_ROWS)
-    read = "baseline {}, MICP {}".format(*(_read(bar, quantity) for bar in both))
     if nothing := _tells_nothing(both, quantity):
         return Part(_name(setting), None, nothing)
     number = combine(*(getattr(bar, quantity) for bar in both))
-    return Part(_name(setting), number, f"{_text(number)} ({read})")
+    read = "baseline {}, MICP {}".format(*(getattr(bar, f"{quantity}_read") for bar in both))
+    return Part(_name(setting), number, f"{_text(number)} {unit or _UNITS[quantity]} ({read})")
 
 
 def _both(bars, setting, choose):
@@ -99,37 +102,39 @@ def _single(bars, key, number_and_words):
 
 
 def _limit_share(bar):
-    return tuple(value / bar.limit for value in bar.runtime), f"{bar.runtime_read} s of {bar.limit:g} s"
-
-
-def _gap_left(bar):
-    return bar.gap, _read(bar, "gap")
+    return tuple(value / LIMIT for value in bar.runtime), f"{bar.runtime_read}{_stopped_at([bar])}"
 
 
 def _no_gap(bar):
-    if bar.stopped and bar.limit < LIMIT:
-        optimal = "" if bar.optimal is None else f", optimal tours found in {bar.optimal} of {bar.runs} runs"
-        return None, f"{_read(bar, 'gap')} left after {bar.limit:g} s{optimal}"
-    return (-bar.gap[1], -bar.gap[0]), _read(bar, "gap")
+    closes = 0.0 if bar.cut_short else -bar.gap[0]  # what is left when it was stopped may close later
+    return (-bar.gap[1], closes), f"{bar.gap_read}{_stopped_at([bar])}"
+
+
+def _stopped_at(bars):
+    short = sorted({bar.limit for bar in bars if bar.cut_short})
+    return f" after {' and '.join(f'{limit:g}' for limit in short)} s" if short else ""
 
 
 def _rise(bars, before, after, quantity):
-    label, both = f"{_name(before)} to {_name(after)}", [bars.get(key) for key in (before, after)]
-    label = f"{before[-1]}, {label}"
+    both = [bars.get(key) for key in (before, after)]
+    label = f"{before[-1]}, {_name(before)} to {_name(after)}"
     if None in both:
         return Part(label, None, _NO_ROWS)
-    words = " to ".join(_read(bar, quantity) for bar in both)
     if nothing := _tells_nothing(both, quantity):
         return Part(label, None, nothing)
+    words = " to ".join(getattr(bar, f"{quantity}_read") for bar in both)
     return Part(label, _difference(getattr(both[1], quantity), getattr(both[0], quantity)), words)
 
 
 def _tells_nothing(both, quantity):
-    """Return why two bars cannot be compared, "" if they can: the limit stopped every run, or none found tours."""
-    if quantity == "runtime" and all(bar.stopped == 1.0 for bar in both):
-        return f"both at the limit of {both[0].limit:g} s"
-    if quantity == "gap" and all(bar.gap == (100.0, 100.0) for bar in both):
-        return "both at 100 %, without tours"
+    """Return why two bars cannot be compared, "" if they can."""
+    limits = " and ".join(f"{limit:g}" for limit in sorted({bar.limit for bar in both}))
+    if quantity == "runtime" and all(bar.cut_short and bar.stopped == bar.runs for bar in both):
+        return f"all runs stopped after {limits} s"
+    if quantity == "gap" and all(bar.without == bar.runs for bar in both):
+        return f"no tours in any run within {limits} s"
+    if quantity == "gap" and both[0].limit != both[1].limit and min(both, key=lambda bar: bar.limit).cut_short:
+        return f"gaps left after {limits} s"
     return ""
 
 
@@ -142,14 +147,10 @@ def _difference(one, other):
 
 
 def _text(number):
-    low, high = (f"{end:.3g}" for end in number)
+    low, high = (f"{end:.0f}" if 1000 <= abs(end) < math.inf else f"{end:.3g}" for end in number)
     if number[1] == math.inf:
         return f"at least {low}"
     return low if low == high else f"{low} to {high}"
-
-
-def _read(bar, quantity):
-    return f"{getattr(bar, quantity + '_read')} {_UNITS[quantity]}"
 
 
 def _name(key):

@@ -7,6 +7,8 @@ import math
 from typing import NamedTuple
 
 HOLDS, DIRECTION, DIFFERS, OPEN = "holds", "holds in direction", "differs", "cannot be tested here"
+#: of one setting only: the number points where the claim does, but may be in its interval or not
+_SIZE_OPEN = "holds in direction, its size open,"
 #: so many settings are told one by one; of more, only those that decide
 _FEW = 4
 
@@ -31,9 +33,8 @@ class Finding(NamedTuple):
 def judge(parts, least, direction, most=math.inf):
     """Return the Finding for a claim that the number is in [least, most] at every setting.
 
-    direction: a number above this one, but not in the interval, still points where the claim does. A claim cannot be
-    tested if most settings cannot; it differs if at least half of the others do; it holds if all do; and else it holds
-    in direction.
+    direction: a number above this one still points where the claim does. A claim cannot be tested if most settings
+    cannot; it differs if at least half of the others do; it holds if all do; and else it holds in direction.
     """
     verdicts = [_verdict(part.number, least, direction, most) for part in parts]
     tested = [verdict for verdict in verdicts if verdict != OPEN]
@@ -51,8 +52,9 @@ def judge(parts, least, direction, most=math.inf):
 def judge_best(parts, least, direction):
     """Return the Finding for a claim that the number is "up to" `least`: at least that at one setting."""
     verdicts = [_verdict(part.number, least, direction, math.inf) for part in parts]
-    verdict = next(one for one in (HOLDS, DIRECTION, OPEN, DIFFERS) if one in verdicts)
-    against = verdict in (DIRECTION, DIFFERS) and OPEN not in verdicts
+    best = next(one for one in (HOLDS, DIRECTION, _SIZE_OPEN, OPEN, DIFFERS) if one in verdicts)
+    verdict = DIRECTION if best == _SIZE_OPEN else best
+    against = verdict in (DIRECTION, DIFFERS) and not {OPEN, _SIZE_OPEN} & set(verdicts)
     return Finding(verdict, _words([max(parts, key=_depth)]), _counts(verdicts), against)
 
 
@@ -62,9 +64,9 @@ def _verdict(number, least, direction, most):
     low, high = number
     if low >= least and high <= most:
         return HOLDS
-    if high >= least and low <= most:
-        return OPEN
-    return DIRECTION if low > direction else DIFFERS if high <= direction else OPEN
+    if low > direction:
+        return _SIZE_OPEN if high >= least and low <= most else DIRECTION
+    return DIFFERS if high <= direction else OPEN
 
 
 def _depth(part):
@@ -90,6 +92,6 @@ def _together(names):
 
 
 def _counts(verdicts):
-    found = [verdict for verdict in (HOLDS, DIRECTION, DIFFERS, OPEN) if verdict in verdicts]
+    found = [verdict for verdict in (HOLDS, DIRECTION, _SIZE_OPEN, DIFFERS, OPEN) if verdict in verdicts]
     parts = [f"{verdict} at {verdicts.count(verdict)}" for verdict in found]
     return f"{', '.join(parts)} of {len(verdicts)} settings".replace("at 1 of 1 settings", "at the one setting")

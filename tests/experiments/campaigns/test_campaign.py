@@ -218,7 +218,7 @@ def _command(path, name):
 @pytest.mark.parametrize(
     "name, more, message",
     [
-        ("big", [], "profile: expected one of smoke, reduced, full, exact, found 'big'"),
+        ("big", [], "profile: expected one of smoke, reduced, claims, full, exact, found 'big'"),
         ("full", ["--solver", "abacus"], "solver: expected one of"),
         ("smoke", ["--jobs", "0"], "jobs: expected a whole number of at least 1, found 0"),
     ],

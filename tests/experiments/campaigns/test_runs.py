@@ -10,7 +10,9 @@ from mamttsp.experiments import PROFILES, profile
 from mamttsp.experiments.campaigns.rows import key_of
 
 
-@pytest.mark.parametrize("name, number", [("smoke", 10), ("reduced", 420), ("full", 1120), ("exact", 560)])
+@pytest.mark.parametrize(
+    "name, number", [("smoke", 10), ("reduced", 420), ("claims", 126), ("full", 1120), ("exact", 560)]
+)
 def test_each_run_is_there_once(name, number):
     runs = profile(name)
     assert len(runs) == len({key_of(asdict(run)) for run in runs}) == number
@@ -24,6 +26,16 @@ def test_full_is_the_papers_runs():
     assert {(run.solver, run.time_limit) for run in runs} == {("gurobi", 1800)}
     panels = {(20, 1), (40, 1), (60, 1), (40, 2), (40, 3), (40, 4), (40, 5)}
     assert {(run.total_window, run.agents) for run in runs} == panels
+
+
+def test_claims_runs_the_best_open_routes_for_600_s():
+    runs = profile("claims")
+    routes = Counter((run.n, run.method, run.solver) for run in runs)
+    for n, number in ((15, 35), (20, 21)):
+        assert routes[n, "micp", "clarabel"] == routes[n, "baseline", "scip"] == number
+        assert routes[n, "micp", "scip"] == 7
+    assert {run.index for run in runs if (run.method, run.solver) == ("micp", "scip")} == {0}
+    assert {run.time_limit for run in runs} == {600}
 
 
 def test_smoke_has_every_method():
