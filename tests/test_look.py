@@ -56,6 +56,11 @@ def test_plot_draws_the_plan_with_or_without_tours():
     assert mamttsp.plot(INSTANCE, SOLUTION, ax=ax) is ax
 
 
+def test_what_is_no_axes_is_not_drawn_on():
+    with pytest.raises(mamttsp.InputError, match="^ax: expected Axes, found int 3$"):
+        mamttsp.plot(INSTANCE, SOLUTION, ax=3)
+
+
 @pytest.mark.parametrize("look", [mamttsp.visits, mamttsp.plot])
 @pytest.mark.parametrize(
     "given, message", [(({}, []), "instance: expected Instance"), ((INSTANCE, 3), "tours: expected")]

@@ -1,5 +1,6 @@
 """What all drawings share: the methods' palette, colours, line styles and markers, and how a drawing is saved."""
 
+import os
 from pathlib import Path
 
 from matplotlib import rc_context, rcParams, rcParamsDefault
@@ -84,7 +85,7 @@ def save(ax, path, dpi=150):
     """Write the figure that holds `ax` to `path`, in the format of its suffix; each time the same bytes.
 
     Without a suffix, to path.pdf, to print, and path.png, to look at. dpi: pixels an inch where there are pixels.
-    InputError: no axes, a suffix that matplotlib does not know, or a file that cannot be written.
+    InputError: no axes, no path, a suffix that matplotlib does not know, or a file that cannot be written.
 
     >>> import mamttsp
     >>> ax = mamttsp.plot(mamttsp.generate(n_targets=3, total_window=20, seed=1))
@@ -94,7 +95,7 @@ def save(ax, path, dpi=150):
     mamttsp.validation.InputError: plan.doc: expected one of .pdf, .png, .svg or another suffix that matplotlib knows
     """
     of_type("ax", ax, Axes)
-    path = Path(path)
+    path = Path(of_type("path", path, (str, os.PathLike)))
     known = ax.figure.canvas.get_supported_filetypes()
     if path.suffix and path.suffix[1:].lower() not in known:
         raise InputError(f"{path}: expected one of .pdf, .png, .svg or another suffix that matplotlib knows")

@@ -187,6 +187,11 @@ def test_what_is_no_axes_is_not_saved(tmp_path):
         save(None, tmp_path / "plan")
 
 
+def test_what_is_no_path_is_not_saved_to():
+    with pytest.raises(InputError, match="path: expected str or PathLike, found NoneType None"):
+        save(plan_view(INSTANCE), None)
+
+
 def test_the_charge_of_an_edge_is_free_until_big_m_lets_go():
     perspective, big_m, _ = charge_view(distance=40.0, size=100.0).lines
     assert np.column_stack(perspective.get_data()).tolist() == [[0, 0], [1, 40]]
