@@ -16,14 +16,15 @@ from .restricted_master import RestrictedMaster
 
 @dataclasses.dataclass
 class Columns:
-    """Columns of the master: routes as sequences of targets and of segments, and their lengths."""
+    """Columns of the master: routes as sequences of targets and of segments, their agents (layers) and lengths."""
 
     routes: list
     segments: list
+    agents: list
     lengths: list
 
     def keep(self, which):
-        for name in ("routes", "segments", "lengths"):
+        for name in ("routes", "segments", "agents", "lengths"):
             setattr(self, name, [entry for entry, kept in zip(getattr(self, name), which) if kept])
 
 
@@ -33,44 +34,45 @@ class ColumnGeneration:
     best: the Evaluation of the greatest bound over the present network, ng-sets and cuts, None before the first.
     """
 
-    def __init__(self, network, n_targets, n_agents, pi, parameters, unit):
-        self.network, self.n, self.m, self.parameters, self.unit = network, n_targets, n_agents, parameters, unit
+    def __init__(self, network, n_targets, fleet, pi, parameters, unit):
+        self.network, self.n, self.fleet, self.parameters, self.unit = network, n_targets, fleet, parameters, unit
         self.pi, self.cuts, self.best, self.support = pi, Cuts.none(n_targets), None, []
         self.N = ngsets.nearest(network.pieces, network.arcs, n_targets, parameters.ng_size)
-        self.columns = Columns([], [], [])
+        self.columns = Columns([], [], [], [])
         self._fresh_master()
 
     def _fresh_master(self):
-        self.master = RestrictedMaster(self.n, self.m, len(self.cuts.rows), self.unit)
-        self._add(self.columns.routes, self.columns.lengths)
+        self.master = RestrictedMaster(self.n, self.fleet, len(self.cuts.rows), self.unit)
+        self._add(self.columns.routes, self.columns.agents, self.columns.lengths)
 
-    def _add(self, routes, lengths):
+    def _add(self, routes, agents, lengths):
         visits = np.array([np.bincount(route, minlength=self.n) for route in routes], dtype=float).reshape(-1, self.n)
-        self.master.add(visits, lengths, self.cuts.paid(routes))
+        self.master.add(visits, agents, lengths, self.cuts.paid(routes))
 
     @property
     def tolerance(self):
         """A change of a value that counts as none."""
         return 1e-9 * self.unit
 
-    def offer(self, routes, segments, lengths):
-        """Add columns: sequences of targets and of segments, and their lengths."""
+    def offer(self, routes, segments, agents, lengths):
+        """Add columns: sequences of targets and of segments, their layers and lengths."""
         self.columns.routes += routes
         self.columns.segments += segments
+        self.columns.agents += agents
         self.columns.lengths += lengths
-        self._add(routes, lengths)
+        self._add(routes, agents, lengths)
 
     def offer_incumbent(self, incumbent):
         """Add the incumbent's routes."""
         routes = [route for route in incumbent.routes if route not in self.columns.segments]
         if routes:
-            tau = incumbent.graph.tau
-            self.offer([tau[list(r)] for r in routes], routes, [incumbent.timed(r)[0] for r in routes])
+            tau, agents = incumbent.graph.tau, [int(incumbent.graph.layer[r[0]]) for r in routes]
+            self.offer([tau[list(r)] for r in routes], routes, agents, [incumbent.timed(r)[0] for r in routes])
 
     def moved(self, network):
         """Go on over another network; lengths of columns over the old one are forgotten."""
         self.network, self.best = network, None
-        self.columns = Columns([], [], [])
+        self.columns = Columns([], [], [], [])
         self._fresh_master()
 
     def narrowed(self, network):
@@ -80,9 +82,9 @@ class ColumnGeneration:
     def elementary(self, least, most):
         """Return up to `most` routes of segments among the columns that repeat no target and make at least so many
         visits, those of least reduced cost at the best prices first."""
-        columns, pi = self.columns, self.best.pi
+        columns, pi, least_cost = self.columns, self.best.pi, np.minimum(self.best.cheapest, 0.0)
         known = [j for j, r in enumerate(columns.routes) if least <= len(r) == len(np.unique(r))]
-        known.sort(key=lambda j: columns.lengths[j] - pi[columns.routes[j]].sum())
+        known.sort(key=lambda j: columns.lengths[j] - pi[columns.routes[j]].sum() - least_cost[columns.agents[j]])
         return list(dict.fromkeys(columns.segments[j] for j in known))[:most]
 
     def cyclic(self, cheapest):
@@ -110,7 +112,7 @@ class ColumnGeneration:
         self._fresh_master()
 
     def evaluate(self, pi, cuts):
-        return evaluate(self.network, ngsets.as_words(self.N), pi, cuts, self.m, self.tolerance)
+        return evaluate(self.network, ngsets.as_words(self.N), pi, cuts, self.fleet, self.tolerance)
 
     def run(self, limit, clock, on_bound):
         """Raise the bound until the master agrees with it, it reaches the limit, or time is up; best is then set.
@@ -141,7 +143,8 @@ class ColumnGeneration:
             known = self.best if self.best.network is self.network else evaluation
             lengths = [max(evaluation.length(route), known.length(route)) for route in routes]
             segments = [tuple(int(i) for i in pieces.segment[route]) for route in routes]
-            self.offer([pieces.target[route] for route in routes], segments, lengths)
+            agents = [int(pieces.layer[route[0]]) for route in routes]
+            self.offer([pieces.target[route] for route in routes], segments, agents, lengths)
             duals = self.master.solve(self.best.pi, box, clock.seconds)
             if duals is None:
                 break

@@ -14,8 +14,8 @@ from ..motion import TIME_SLACK
 _GRID = 24
 
 #: Flights on the grid, infinite where too late: `between` (P, P), its transpose `back`, from the depot `first` (P,), to
-#: the depot `last` (P,); the points of target u are start[u]:start[u + 1]; near (n, n), near_first (n,),
-#: near_last (n,): the shortest flights between targets and depot, whatever their times
+#: the end `last` (P,); the points of target u are start[u]:start[u + 1]; near (n, n), near_first (n,),
+#: near_last (n,): the shortest flights between targets, depot and end, whatever their times
 Network = namedtuple("Network", "between back first last start near near_first near_last")
 
 #: Of each stop of a route: values so_far and to_go (n, widest) at its grid points, and the least of them (n,)
@@ -26,11 +26,13 @@ def grid_points(graph, targets):
     """Return (node, time, start, step): about _GRID points for each target, both ends of each of its segments among
     them.
 
-    start: (n + 1,) where the points of each target begin; step: the longest time between two points.
+    Nodes are those of the graph's first layer. start: (n + 1,) where the points of each target begin; step: the longest
+    time between two points.
     """
     nodes, times, start, longest = [], [], [0], 0.0
     for u in targets:
         cluster = graph.C(u)
+        cluster = cluster[graph.layer[cluster] == 0]
         step = (graph.t_hi[cluster] - graph.t_lo[cluster]).sum() / _GRID
         for i in cluster:
             duration = graph.t_hi[i] - graph.t_lo[i]
@@ -42,16 +44,29 @@ def grid_points(graph, targets):
     return np.concatenate(nodes), np.concatenate(times), np.array(start), longest
 
 
-def make_network(graph, node, time, start, slack):
-    """Return the Network of grid points, see `grid_points`; slack: by how many s a flight may come late."""
+def make_networks(graph, node, time, start, slack):
+    """Return the Networks of grid points, see `grid_points`, one for each layer of the graph, in a Network whose arrays
+    but `start` have one dimension more; slack: by how many s a flight may come late."""
     p = graph.p_lo[node] + (time - graph.t_lo[node])[:, None] * graph.v[node]
     owner = np.repeat(np.arange(len(start) - 1), np.diff(start))
-    flights = _distances(p, time, owner, graph.p_lo[0], graph.max_speed, graph.horizon, slack)
-    return Network(flights[0], flights[0].T.copy(), *flights[1:], start, *_shortest(*flights, start))
+    depots, ends = graph.p_lo[graph.starts], graph.p_lo[graph.ends]
+    each = [_distances(p, time, owner, *of_layer, graph.horizon, slack) for of_layer in zip(depots, ends, graph.speeds)]
+    near = [_shortest(*flights, start) for flights in each]
+    between, first, last = map(np.array, zip(*each))
+    return Network(between, between.transpose(0, 2, 1).copy(), first, last, start, *map(np.array, zip(*near)))
 
 
 @njit(cache=True)
-def _distances(p, time, target, depot, speed, horizon, slack):
+def of_layer(networks, k):
+    """Return the Network of layer k."""
+    return Network(
+        networks.between[k], networks.back[k], networks.first[k], networks.last[k], networks.start, networks.near[k],
+        networks.near_first[k], networks.near_last[k],
+    )  # fmt: skip
+
+
+@njit(cache=True)
+def _distances(p, time, target, depot, end, speed, horizon, slack):
     """Return (between (P, P), first (P,), last (P,)): distances, infinite where a flight would be more than `slack`
     s late."""
     P = len(time)
@@ -61,6 +76,7 @@ def _distances(p, time, target, depot, speed, horizon, slack):
         d = math.hypot(p[g, 0] - depot[0], p[g, 1] - depot[1])
         if d <= speed * (time[g] + slack):
             first[g] = d
+        d = math.hypot(p[g, 0] - end[0], p[g, 1] - end[1])
         if d <= speed * (horizon - time[g] + slack):
             last[g] = d
         for h in range(P):

@@ -1,4 +1,5 @@
-"""Set partitioning: choose at most m routes that serve each target once, at least total cost (HiGHS)."""
+"""Set partitioning: choose routes, no more than the fleet permits, that serve each target once, at least total cost
+(HiGHS)."""
 
 from typing import NamedTuple
 
@@ -24,44 +25,45 @@ class Relaxed(NamedTuple):
     slack: np.ndarray
 
 
-def relax_choice(members, cost, n_agents, limit, unit, time_limit=np.inf):
+def relax_choice(members, agents, cost, fleet, limit, unit, time_limit=np.inf):
     """Return the Relaxed choice of columns, None if there was no time; members: (n, J) sparse 0/1 matrix, targets by
-    columns; cost: (J,); limit: choices that cost more are of no interest.
+    columns; agents: (J,) layer of the graph of each; cost: (J,); fleet: `Fleet`; limit: choices that cost more are of no
+    interest.
 
     The linear program begins with few columns, and takes in those of negative reduced cost until there is none.
-    Whatever the prices with a fleet price <= 0, a choice with column j costs at least
-    sum(dual) + m * fleet + reduced cost of j + (m - 1) * (the least reduced cost, if negative).
+    Whatever the prices, a choice with column j costs at least sum(dual) + reduced cost of j + (what the other columns
+    must cost, at the least reduced cost of each layer).
     """
-    n = members.shape[0]
+    n, K = members.shape[0], len(fleet.counts)
     each = cost / np.diff(members.indptr)  # for each target served
     active = np.argsort(each, kind="stable")[:_MORE]
     while True:
-        highs = _model(members[:, active], cost[active], n_agents, limit, unit, time_limit)
+        highs = _model(members[:, active], agents[active], cost[active], fleet, limit, unit, time_limit)
         highs.run()
         if highs.getModelStatus() != highspy.HighsModelStatus.kOptimal:
             return None
         answer = highs.getSolution()
         dual = np.array(answer.row_dual) * unit
-        dual, fleet = dual[:n], min(dual[n], 0.0)
-        reduced = cost - members.T @ dual - fleet
-        more = np.setdiff1d(np.flatnonzero(reduced < -_ACCURACY * unit), active)
+        reduced, price = cost - members.T @ dual[:n], dual[n : n + K] + dual[n + K :].sum()
+        more = np.setdiff1d(np.flatnonzero(reduced - price[agents] < -_ACCURACY * unit), active)
         if not len(more):
             break
         active = np.r_[active, more[np.argsort(reduced[more], kind="stable")[:_MORE]]]
-    least = min(reduced.min(initial=0.0), 0.0)
-    base = dual.sum() + n_agents * fleet
-    slack = limit - (base + (n_agents - 1) * least + reduced)
+    cheapest = np.full(K, np.inf)
+    np.minimum.at(cheapest, agents, reduced)
+    base = dual[:n].sum()
+    slack = limit - (base + fleet.rest(cheapest)[agents] + reduced)
     support = active[np.array(answer.col_value)[: len(active)] > 1e-7]
-    return Relaxed(base + n_agents * least, support, dual, slack)
+    return Relaxed(base + fleet.total(cheapest), support, dual[:n], slack)
 
 
-def choose(members, cost, n_agents, limit, unit, time_limit=np.inf):
+def choose(members, agents, cost, fleet, limit, unit, time_limit=np.inf):
     """Return (bound, chosen): a proved lower bound on the cost of every choice, no more than the limit, and the columns
-    of a best one found, None without one below the limit."""
+    of a best one found, None without one below the limit; arguments as in `relax_choice`."""
     J = members.shape[1]
     if J == 0:
         return limit, None
-    highs = _model(members, cost, n_agents, limit, unit, time_limit)
+    highs = _model(members, agents, cost, fleet, limit, unit, time_limit)
     highs.changeColsIntegrality(J, np.arange(J, dtype=np.int32), np.full(J, highspy.HighsVarType.kInteger))
     for name in ("mip_rel_gap", "mip_abs_gap"):
         highs.setOptionValue(name, 0.1 * _ACCURACY)
@@ -70,23 +72,26 @@ def choose(members, cost, n_agents, limit, unit, time_limit=np.inf):
     bound = (bound - _ACCURACY) * unit if np.isfinite(bound) else -np.inf
     level = np.array(highs.getSolution().col_value)
     chosen = np.flatnonzero(level[:J] > 0.5) if len(level) else np.zeros(0, int)
-    whole = len(chosen) <= n_agents and (members[:, chosen].sum(axis=1) == 1.0).all()
+    used = np.bincount(agents[chosen], minlength=len(fleet.counts))
+    whole = (used <= fleet.counts).all() and (members[:, chosen].sum(axis=1) == 1.0).all()
     return min(bound, limit), chosen if whole and len(chosen) else None
 
 
-def _model(members, cost, n_agents, limit, unit, time_limit):
+def _model(members, agents, cost, fleet, limit, unit, time_limit):
     """Return HiGHS with the choice; a target may stay unserved at the price of more than the limit, so that there is
-    always an answer."""
+    always an answer. Rows: targets, layers, and all routes where more than one is needed."""
     n, J = members.shape
-    matrix = sparse.hstack(
-        [sparse.vstack([members, np.ones((1, J))]), sparse.eye(n + 1, n)], format="csc"
-    )  # fmt: skip
+    K, needed = len(fleet.counts), [float(fleet.least)] if fleet.least > 1 else []
+    of_layer = sparse.csr_matrix((np.ones(J), (agents, np.arange(J))), shape=(K, J))
+    routes = sparse.vstack([members, of_layer, np.ones((len(needed), J))])
+    unserved = sparse.vstack([sparse.eye(n), sparse.csr_matrix((K, n)), np.ones((len(needed), n))])
+    matrix = sparse.hstack([routes, unserved], format="csc")
     lp = highspy.HighsLp()
-    lp.num_col_, lp.num_row_ = J + n, n + 1
+    lp.num_col_, lp.num_row_ = J + n, n + K + len(needed)
     lp.col_cost_ = np.r_[cost, np.full(n, 2.0 * abs(limit) + unit)] / unit
     lp.col_lower_, lp.col_upper_ = np.zeros(J + n), np.full(J + n, highspy.kHighsInf)
-    lp.row_lower_ = np.r_[np.ones(n), -highspy.kHighsInf]
-    lp.row_upper_ = np.r_[np.ones(n), float(n_agents)]
+    lp.row_lower_ = np.r_[np.ones(n), np.full(K, -highspy.kHighsInf), needed]
+    lp.row_upper_ = np.r_[np.ones(n), fleet.counts, np.full(len(needed), highspy.kHighsInf)]
     lp.a_matrix_.format_ = highspy.MatrixFormat.kColwise
     lp.a_matrix_.start_, lp.a_matrix_.index_, lp.a_matrix_.value_ = matrix.indptr, matrix.indices, matrix.data
     highs = highspy.Highs()

@@ -6,6 +6,7 @@ See README.md for a round as a diagram.
 import numpy as np
 
 from ..options import Progress
+from ..timing import leg_lengths
 from .column_generation import ColumnGeneration
 from .cuts import MOST_CUTS, separate
 from .enumeration import Enumeration
@@ -22,10 +23,10 @@ class Search:
     annealing: looks for tours before each round; start: routes of segments to begin with, or none.
     """
 
-    def __init__(self, graph, n_agents, gap, clock, parameters, annealing, progress=None, start=()):
-        self.graph, self.n, self.m = graph, graph.n_targets, n_agents
+    def __init__(self, graph, fleet, gap, clock, parameters, annealing, progress=None, start=()):
+        self.graph, self.n, self.fleet, self.m = graph, graph.n_targets, fleet, fleet.n_agents
         self.clock, self.parameters, self.progress, self.annealing = clock, parameters, progress, annealing
-        self.standing = Standing(graph, n_agents, gap)
+        self.standing = Standing(graph, fleet, gap)
         self.labels, self.columns, self.exhausted = 0, 0, False
         self.unit, self.most_pieces = graph.size or 1.0, parameters.most_pieces
         self.most_labels, self.means, self.first, self.fewer_arcs = parameters.first_labels, 0, True, np.inf
@@ -50,7 +51,7 @@ class Search:
         self.width = max(windows / (self.n * self.parameters.pieces_each), 1e-6 * self.graph.horizon)
         network = first_network(self.graph, even_cuts(self.graph, self.graph.V_seg, self.width), range(self.n))
         self.generation = ColumnGeneration(
-            network, self.n, self.m, self.first_prices(), self.parameters, self.unit
+            network, self.n, self.fleet, self.first_prices(), self.parameters, self.unit
         )  # fmt: skip
         while not self.over():
             self.round()
@@ -60,8 +61,7 @@ class Search:
         pi = np.full(self.n, self.unit / self.n)
         for route in self.incumbent.routes:
             _, times, _ = self.incumbent.timed(route)
-            stops = [self.graph.p_lo[0], *(self.graph.position(i, t) for i, t in zip(route, times)), self.graph.p_lo[0]]
-            legs = np.linalg.norm(np.diff(stops, axis=0), axis=1)
+            legs = leg_lengths(self.graph, route, times)
             pi[self.graph.tau[list(route)]] = 0.25 * (legs[:-1] + legs[1:])
         return pi
 
@@ -162,8 +162,8 @@ class Search:
             self.report("labels")
             return None
         self.columns += len(routes.cost)
-        sets = Sets(routes.visited, routes.cost, self.n)
-        relaxed = relax_choice(sets.members, sets.cost, self.m, limit, self.unit, self.clock.seconds)
+        sets = Sets(routes.visited, routes.agents, routes.cost, self.n)
+        relaxed = relax_choice(sets.members, sets.agents, sets.cost, self.fleet, limit, self.unit, self.clock.seconds)
         if relaxed is None:
             return None
         self.standing.raise_bound(min(relaxed.bound, limit))
@@ -178,7 +178,7 @@ class Search:
 
     def time_routes(self, routes, columns):
         """Time the columns of least reduced cost, and choose among all routes known."""
-        order = columns[np.argsort(routes.reduced[columns], kind="stable")]
+        order = columns[np.argsort(-routes.spare[columns], kind="stable")]
         for column in order[: self.parameters.timed * self.n]:
             if self.clock.out():
                 return
@@ -210,7 +210,7 @@ class Search:
             self.report("settle")
 
         done = settle(
-            sets, self.m, lambda: self.standing.limit, self.unit, settle_set, on_bound, self.clock
+            sets, self.fleet, lambda: self.standing.limit, self.unit, settle_set, on_bound, self.clock
         )  # fmt: skip
         self.recombine()
         self.exhausted = done and not self.standing.closed()

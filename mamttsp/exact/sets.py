@@ -63,11 +63,11 @@ def disjoint(sets, x, others, y):
 
 
 @njit(cache=True)
-def grown(memory, parity, left, right, used, more):
+def grown(memory, parity, load, left, right, used, more):
     """Return the arrays of entries with room for at least `more` behind the first `used`."""
     size = 2 * (used + more)
     new_memory, new_parity = np.empty((size, memory.shape[1]), np.uint64), np.empty(size, np.uint64)
-    new_left, new_right = np.empty(size), np.empty(size)
+    new_load, new_left, new_right = np.empty(size), np.empty(size), np.empty(size)
     new_memory[:used], new_parity[:used] = memory[:used], parity[:used]
-    new_left[:used], new_right[:used] = left[:used], right[:used]
-    return new_memory, new_parity, new_left, new_right
+    new_load[:used], new_left[:used], new_right[:used] = load[:used], left[:used], right[:used]
+    return new_memory, new_parity, new_load, new_left, new_right
