@@ -60,7 +60,9 @@ def bounded_times(graph, route):
         return None
     solved, bound = _solve_times(graph, route)
     candidates = [earliest] if solved is None else [earliest, _flyable_times(graph, route, solved)]
-    length, times = min(((float(leg_lengths(graph, route, times).sum()), times) for times in candidates), key=lambda found: found[0])
+    length, times = min(
+        ((float(leg_lengths(graph, route, times).sum()), times) for times in candidates), key=lambda found: found[0]
+    )
     return length, times, min(bound, length)
 
 

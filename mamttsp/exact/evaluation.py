@@ -150,7 +150,9 @@ class Evaluation:
             network.pieces._replace(first=network.pieces.last, ready=np.full(len(network.starts), -np.inf)),
             self.prices, _flipped(back),
         )  # fmt: skip
-        return restricted(network, alive, network.starts & (self.cost <= allowed), network.ends & (back_cost <= allowed))
+        return restricted(
+            network, alive, network.starts & (self.cost <= allowed), network.ends & (back_cost <= allowed)
+        )
 
 
 def _flipped(lists):

@@ -113,9 +113,7 @@ def first_labels(pieces, prices, lists, limit):
         add(labels.visited, x, u)
         odd = prices.inside[u]
         room = pieces.room[layer] - load
-        if _can_be_completed(
-            labels.visited, x, odd, room, left, right, share, q, lists, limit[layer], prices.sigma
-        ):
+        if _can_be_completed(labels.visited, x, odd, room, left, right, share, q, lists, limit[layer], prices.sigma):
             labels.odd[x], labels.load[x], labels.piece[x] = odd, load, q
             labels.left[x], labels.right[x] = left, right
             labels.early[x], labels.parent[x] = pieces.ready[q], -1

@@ -23,8 +23,9 @@ class Parameters:
     idle_steps: int = 20
     #: column generation ends when the bound is within this share of the gap of the master's value
     converged: float = 0.02
-    #: pieces that a target's windows are cut into at first
+    #: pieces that a target's windows are cut into at first; and where loads matter, which make lists of values long
     pieces_each: int = 30
+    pieces_each_loaded: int = 15
     #: looks of ruin and recreate, for each target squared, at first and whenever pieces get shorter; iterations of one
     annealing: float = 1.0 / 60.0
     annealing_later: float = 1.0 / 20.0

@@ -5,7 +5,6 @@ from typing import NamedTuple
 import highspy
 import numpy as np
 
-
 #: most that the master pays for a route that is needed only because so many are, in units
 _NEEDED = 2.0
 
@@ -85,4 +84,6 @@ class RestrictedMaster:
         answer = highs.getSolution()
         dual, level = np.array(answer.row_dual) * self.unit, np.array(answer.col_value)
         value = highs.getInfo().objective_function_value * self.unit
-        return Duals(value, dual[:n], np.minimum(dual[self._fixed :], 0.0), level[2 * n + self.needed :], level[: 2 * n].sum())
+        return Duals(
+            value, dual[:n], np.minimum(dual[self._fixed :], 0.0), level[2 * n + self.needed :], level[: 2 * n].sum()
+        )

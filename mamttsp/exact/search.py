@@ -47,14 +47,19 @@ class Search:
     def run(self):
         """Run until the gap is closed, infeasibility is proved or time is up."""
         self.search_tours(self.parameters.annealing)
-        windows = sum(self.graph.t_hi[i] - self.graph.t_lo[i] for i in self.graph.V_seg)
-        self.width = max(windows / (self.n * self.parameters.pieces_each), 1e-6 * self.graph.horizon)
+        self.width = max(self.first_width(), 1e-6 * self.graph.horizon)
         network = first_network(self.graph, even_cuts(self.graph, self.graph.V_seg, self.width), range(self.n))
         self.generation = ColumnGeneration(
             network, self.n, self.fleet, self.first_prices(), self.parameters, self.unit
         )  # fmt: skip
         while not self.over():
             self.round()
+
+    def first_width(self):
+        """Return the length of the first pieces in s, by the windows of a target in the mean."""
+        graph, p = self.graph, self.parameters
+        windows = sum(graph.t_hi[i] - graph.t_lo[i] for i in graph.V_seg) / (self.n * graph.n_layers)
+        return windows / (p.pieces_each_loaded if graph.loaded else p.pieces_each)
 
     def first_prices(self):
         """Return (n,) half of the legs to and from each target in the incumbent, damped; even prices without one."""

@@ -53,9 +53,7 @@ def settle(sets, fleet, limit, unit, settle_set, on_bound, clock):
         competing = (np.cumsum(alive) - 1)[relaxed.support]
         sets.keep(alive)
         if bound < limit() and sets.settled[competing].all():
-            bound, competing = choose(
-                sets.members, sets.agents, sets.cost, fleet, limit(), unit, clock.seconds
-            )
+            bound, competing = choose(sets.members, sets.agents, sets.cost, fleet, limit(), unit, clock.seconds)
         on_bound(min(bound, limit()))
         if bound >= limit() or competing is None:
             return bound >= limit()
