@@ -91,8 +91,7 @@ def to_tour(graph, route, times):
 
 
 def leg_lengths(graph, route, times):
-    """Return (len(route) + 1,) the lengths of a tour's legs, from the depot through the segments at the given times to the
-    end."""
+    """Return (len(route) + 1,) the lengths of a tour's legs, through the segments at the given times."""
     s, s_prime = _ends(graph, route)
     stops = np.vstack([graph.p_lo[s], *(graph.position(i, t) for i, t in zip(route, times)), graph.p_lo[s_prime]])
     return np.linalg.norm(np.diff(stops, axis=0), axis=1)

@@ -7,11 +7,13 @@ from . import labels as lab
 
 
 class Enumeration:
-    """All labels that can be completed within `slack` (K,) of reduced cost in their layer of the graph, grown from the depot over an evaluation's arcs.
+    """All labels that can be completed within the slack (K,) of their layer in reduced cost, grown from the depot over
+    an evaluation's arcs.
 
     complete: False if it needed more than `most` labels or `budget` extensions; it then proves nothing.
-    One column for each closed route: visited (J, W), agents (J,) its layer of the graph, cost (J,) lower bound on its length, reduced (J,) its least
-    reduced cost, spare (J,) what is left of the slack. depth, label: (J,) where it ends.
+    One column for each closed route: visited (J, W); agents (J,) its layer of the graph; cost (J,) lower bound on its
+    length; reduced (J,) its least reduced cost, spare (J,) what that leaves of the slack. depth, label: (J,) where it
+    ends.
     """
 
     def __init__(self, evaluation, slack, n_targets, whole, most, budget, out_of_time):

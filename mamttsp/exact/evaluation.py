@@ -1,7 +1,7 @@
 """The Lagrangian bound: 'each target once' and the subset-row cuts go into the objective, at prices pi and sigma.
 
-L = sum(pi) + sum(sigma) + (least total reduced cost of as many ng-routes as the fleet permits) is a lower bound on every
-solution, whatever pi and whatever sigma <= 0. An Evaluation holds it with all that was found on the way.
+L = sum(pi) + sum(sigma) + (least total reduced cost of as many ng-routes as the fleet permits) is a lower bound on
+every solution, whatever pi and whatever sigma <= 0. An Evaluation holds it with all that was found on the way.
 """
 
 import dataclasses

@@ -10,7 +10,7 @@ from .partition import choose
 
 
 class Incumbent:
-    """The best tours so far, of a Fleet. routes: tuples of segments; objective: their length, infinite without routes."""
+    """The best tours of a Fleet so far. routes: tuples of segments; objective: their length, infinite without them."""
 
     def __init__(self, graph, fleet):
         self.graph, self.fleet = graph, fleet
@@ -37,7 +37,7 @@ class Incumbent:
         return True
 
     def recombine(self, targets, time_limit):
-        """Offer the best choice among the shortest routes of each layer through each set of targets that were ever timed."""
+        """Offer the best choice among the shortest routes, of each layer through each set of targets, ever timed."""
         best = {}
         for route, found in self._timed.items():
             served = int(self.graph.layer[route[0]]), frozenset(self.graph.tau[list(route)])

@@ -5,11 +5,11 @@ N_u. It may also leave a piece at another time than it arrived. A value to go is
 (left, right) at the two ends of the piece, of the reduced cost (length less the multiplier pi of each visit, and the
 prices of subset-row cuts) of every real route's way from there to its end.
 
-Values are kept in a list for each piece, one entry for each memory (set of targets that must not come before) and
-parity (of the subset-row cuts), thinned by dominance. Pieces are handled from the last to the first; a piece whose
-list changed marks those before it that were handled already (their flights go between overlapping pieces), and passes
-go on until nothing changes: then the values hold for routes of any length. After as many passes as there are targets
-they hold for all real routes in any case.
+Values are kept in a list for each piece, one entry for each memory (set of targets that must not come before), parity
+(of the subset-row cuts) and load (demand from there on), thinned by dominance. Pieces are handled from the last to the
+first; a piece whose list changed marks those before it that were handled already (their flights go between overlapping
+pieces), and passes go on until nothing changes: then the values hold for routes of any length. After as many passes as
+there are targets they hold for all real routes in any case.
 
 The same code runs forward in time: `reversed_side` shows it the instance with time running backward.
 """
@@ -49,8 +49,8 @@ class Side(NamedTuple):
 
 
 class Lists(NamedTuple):
-    """Entries of each piece q: first[q] : first[q] + count[q] of memory (X, W), parity, load (the demand from there on),
-    left and right, each (X,), in order of the sums of the last two."""
+    """Entries of each piece q: first[q] : first[q] + count[q] of memory (X, W), and of parity, load, left and right (X,)
+    in order of the sums of these two. load: the demand of the visits behind q."""
 
     first: np.ndarray
     count: np.ndarray
@@ -119,7 +119,7 @@ def _pays(odd, sigma):
 
 @njit(cache=True)
 def _extended(q, side, prices, lists, work, first_time):
-    """Gather in `work` (memory, parity, load, left, right) what can be said of piece q from the lists of the pieces behind
+    """Gather in `work` (memory, parity, load, left, right) what can be said of piece q from the lists of those behind
     it: the entries that no other dominates, by their sums; return how many, -1 if there is no room.
 
     Everything is unpacked first and done in one loop: numba counts references at each call and attribute otherwise.

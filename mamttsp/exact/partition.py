@@ -27,8 +27,8 @@ class Relaxed(NamedTuple):
 
 def relax_choice(members, agents, cost, fleet, limit, unit, time_limit=np.inf):
     """Return the Relaxed choice of columns, None if there was no time; members: (n, J) sparse 0/1 matrix, targets by
-    columns; agents: (J,) layer of the graph of each; cost: (J,); fleet: `Fleet`; limit: choices that cost more are of no
-    interest.
+    columns; agents: (J,) layer of the graph of each; cost: (J,); fleet: a Fleet; limit: choices that cost more are of
+    no interest.
 
     The linear program begins with few columns, and takes in those of negative reduced cost until there is none.
     Whatever the prices, a choice with column j costs at least sum(dual) + reduced cost of j + (what the other columns

@@ -21,8 +21,8 @@ class Duals(NamedTuple):
 
 
 class RestrictedMaster:
-    """Columns in rows: each target once, of each layer as many routes as the fleet has, in all as many as it needs, each
-    subset-row cut at most once.
+    """Columns in rows: each target once, of each layer at most as many routes as the fleet has, in all as many as it
+    needs, each subset-row cut at most once.
 
     Two artificial columns for each target hold its price in a box, and one holds down that of the routes needed. Costs
     are given in units of `unit`, so that HiGHS's tolerances fit.

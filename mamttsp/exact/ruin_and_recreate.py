@@ -105,7 +105,7 @@ def _insert_all(bank, routes, length, cost, networks, values, layer, demand, roo
 
 @njit(cache=True)
 def _closeness(near):
-    """Return (n, n): each target and behind it the others, closest first; near: (K, n, n) lengths of shortest flights."""
+    """Return (n, n): each target and behind it the others, closest first; near: (K, n, n) shortest flights' lengths."""
     order = np.empty(near.shape[1:], np.int64)
     for u in range(len(order)):
         close = np.minimum(near[0, u], near[0, :, u])
@@ -165,8 +165,8 @@ def _absent(routes, length):
 
 @njit(cache=True)
 def ruin_and_recreate(
-    by_layer, segment, depots, ends, speeds, horizon, layer, demand, room, routes, length, penalty, iterations, warm, cool,
-    seed,
+    by_layer, segment, depots, ends, speeds, horizon, layer, demand, room, routes, length, penalty, iterations, warm,
+    cool, seed,
 ):  # fmt: skip
     """Return (routes (m, n), length (m,), best_length (m,), points (m, n)): where annealing from the given routes ends,
     and the lengths and grid points of the best routes on the way; `penalty` for each target left out.

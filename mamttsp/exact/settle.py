@@ -15,7 +15,9 @@ from .partition import choose, relax_choice
 class Sets:
     """The competing sets of targets of an enumeration's columns, the same set with other agents another one.
 
-    members: (n, J) sparse 0/1; agents: (J,) layers of the graph; cost: (J,) lower bounds; settled: (J,) bool; columns: of each set the columns that it comes from."""
+    members: (n, J) sparse 0/1; agents: (J,) layers of the graph; cost: (J,) lower bounds; settled: (J,) bool; columns:
+    of each set the columns that it comes from.
+    """
 
     def __init__(self, visited, agents, cost, n_targets):
         key = np.c_[visited, agents.astype(np.uint64)]
