@@ -49,8 +49,8 @@ class Side(NamedTuple):
 
 
 class Lists(NamedTuple):
-    """Entries of each piece q: first[q] : first[q] + count[q] of memory (X, W), and of parity, load, left and right (X,)
-    in order of the sums of these two. load: the demand of the visits behind q."""
+    """Entries of each piece q: first[q] : first[q] + count[q] of memory (X, W), parity, load (the demand of the visits
+    behind q), left and right, all (X,), in order of the sums of the last two."""
 
     first: np.ndarray
     count: np.ndarray
