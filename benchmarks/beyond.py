@@ -2,8 +2,8 @@
 
     python -m benchmarks.beyond --seeds 1000 1001 ...    the runs that have no row yet, then the table
 
-Instances are made as those of the library's series `types` and `loads`, with these seeds; windows of 40 s, each run in a
-process of its own within 600 s. The rows go into paper_results/beyond.csv, the table into README.md.
+Instances are made as those of the library's series `types` and `loads`, with these seeds; windows of 40 s, each run in
+a process of its own within 600 s. The rows go into paper_results/beyond.csv, the table into README.md.
 """
 
 import argparse

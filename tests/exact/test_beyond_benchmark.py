@@ -1,5 +1,4 @@
-"""The benchmark beyond the paper: its instances are the library's, rows say what was proved, and what has one is not run
-again."""
+"""The benchmark beyond the paper: instances as the library's, rows of what was proved, and none is run twice."""
 
 import pandas as pd
 
