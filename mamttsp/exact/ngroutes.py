@@ -168,9 +168,9 @@ def _extended(q, side, prices, lists, work, first_time):
                     add(fresh, 0, w)
             total, y = low + high, 0
             while y < known and left[y] + right[y] <= total:
-                if left[y] <= low and right[y] <= high and load[y] <= carried and subset(memory, y, fresh, 0):
+                if left[y] <= low and right[y] <= high and subset(memory, y, fresh, 0):
                     pay = _pays(parity[y] & ~odd, sigma)
-                    if left[y] + pay <= low and right[y] + pay <= high:
+                    if left[y] + pay <= low and right[y] + pay <= high and load[y] <= carried:
                         break
                 y += 1
             if y < known and left[y] + right[y] <= total:
@@ -178,9 +178,9 @@ def _extended(q, side, prices, lists, work, first_time):
             place, gone = y, 0
             while y < known:  # what the new entry dominates goes
                 pay = np.inf
-                if low <= left[y] and high <= right[y] and carried <= load[y] and subset(fresh, 0, memory, y):
+                if low <= left[y] and high <= right[y] and subset(fresh, 0, memory, y):
                     pay = _pays(odd & ~parity[y], sigma)
-                if low + pay <= left[y] and high + pay <= right[y]:
+                if low + pay <= left[y] and high + pay <= right[y] and carried <= load[y]:
                     gone += 1
                 elif gone:
                     for z in range(W):
@@ -318,8 +318,6 @@ def trace(side, prices, lists, q, x, longest):
                 odd = (lists.parity[y] ^ prices.inside[w]) & prices.kept[u]
                 if has(lists.memory, y, u) or odd & ~lists.parity[x]:
                     continue
-                if lists.load[y] + side.demand[layer, w] > lists.load[x]:
-                    continue
                 low, high = before_leg(
                     side.leg[k, 0], side.leg[k, 1], side.leg[k, 2], lists.left[y], lists.right[y], side.width[q],
                     side.width[r], side.a[r] - side.a[q], side.speed[layer],
@@ -332,7 +330,7 @@ def trace(side, prices, lists, q, x, longest):
                     fresh[0, z] = lists.memory[y, z] & prices.N[u, z]
                 if has(prices.N, u, w):
                     add(fresh, 0, w)
-                if subset(fresh, 0, lists.memory, x):
+                if subset(fresh, 0, lists.memory, x) and lists.load[y] + side.demand[layer, w] <= lists.load[x]:
                     best, best_k, best_x = off, k, y
         if best_k < 0:
             return route[:length]
