@@ -26,7 +26,7 @@ SIZES = ((25, 3, 200, 6), (25, 5, 200, 6), (30, 3, 250, 7), (30, 5, 250, 7), (40
 SIZES = (*SIZES, (50, 10, 500, 14))
 KEY = ["n", "agents", "horizon", "pieces", "seed", "time_limit"]
 PHASES = ("heuristic", "prices", "elimination", "labels", "routes", "settle")
-_PROVENANCE = ("version", "commit", "jobs", "cpu", "cores", "python")
+PROVENANCE = ("version", "commit", "jobs", "cpu", "cores", "python")
 
 
 def run(n, agents, horizon, pieces, seed, time_limit):
@@ -40,10 +40,10 @@ def run(n, agents, horizon, pieces, seed, time_limit):
     row |= {"objective": solution.objective, "bound": solution.bound, "gap_percent": 100 * solution.gap}
     row |= {"solve_time_s": solution.runtime, "labels": solution.nodes, "columns": trace.steps[-1].columns}
     row |= {"memory_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1000}
-    return row | {"last_phase": trace.steps[-1].phase, **_phases(trace.steps)}
+    return row | {"last_phase": trace.steps[-1].phase, **phases(trace.steps)}
 
 
-def _phases(steps):
+def phases(steps):
     """Return {rounds, PHASE_s...}: how many rounds, and the seconds at each phase, as a step is told at its end."""
     spent, before = dict.fromkeys(PHASES, 0.0), 0.0
     for step in steps:
@@ -69,12 +69,12 @@ def table(rows):
     yield f"Windows of 40 s, limit {one.time_limit:g} s, gap to close 0.01 %, one thread; {one.cpu}."
     shown = ["n", "agents", "horizon", "seed", "status", "objective", "gap_percent", "solve_time_s", "rounds"]
     shown += ["labels_millions", "columns", "memory_mb", "last_phase"]
-    yield from ("", _markdown(rows[shown]), "", "Where the time went, in s:", "")
+    yield from ("", markdown(rows[shown]), "", "Where the time went, in s:", "")
     phases = [name for name in rows if name.endswith("_s") and name != "solve_time_s"]  # those of the rows' version
-    yield _markdown(rows[["n", "agents", "seed", *phases]])
+    yield markdown(rows[["n", "agents", "seed", *phases]])
 
 
-def _markdown(rows):
+def markdown(rows):
     formats = [{"gap_percent": ".3f", "objective": ".2f"}.get(name, ".1f") for name in rows]
     return rows.astype(object).to_markdown(index=False, floatfmt=formats)  # whole numbers stay whole
 
@@ -87,7 +87,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=1, help="runs at the same time")
     given = parser.parse_args()
     rows = pd.read_csv(given.results).to_dict("records") if given.results.exists() else []
-    about = {name: value for name, value in provenance(given.jobs).items() if name in _PROVENANCE}
+    about = {name: value for name, value in provenance(given.jobs).items() if name in PROVENANCE}
     fresh = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(given.jobs, mp_context=fresh, max_tasks_per_child=1) as pool:
         left = [pool.submit(run, *arguments) for arguments in runs_left(rows, given.seeds, given.time_limit)]

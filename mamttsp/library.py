@@ -66,13 +66,20 @@ def parameters():
             for window in (37, 75):  # a quarter and a half of the horizon
                 add("loose", n, index, window, widest_total_window=75)
         for n in (10, 15, 20):
-            add("types", n, index, 40, agents=[Agents(*entry).to_dict() for entry in _TWO_TYPES])
+            made[_short("types", n, index, 40)] = beyond_the_paper("types", n, index)
         for n in (20, 25):
-            add("loads", n, index, 40, **_loads(n, index), **_longer(n))
+            made[_short("loads", n, index, 40)] = beyond_the_paper("loads", n, index)
     for n in _LONGER:
         for index in range(2):
             add("scale", n, index, 40, **_longer(n))
     return made
+
+
+def beyond_the_paper(series, n, seed):
+    """Return the arguments of `generate` of an instance of the series "types" or "loads", as JSON has them."""
+    two = {"agents": [Agents(*entry).to_dict() for entry in _TWO_TYPES]}
+    own = two if series == "types" else _loads(n, seed)
+    return {"n_targets": n, "total_window": 40, "seed": seed, **own, **_longer(n)}
 
 
 def make(arguments):

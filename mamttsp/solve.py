@@ -92,10 +92,6 @@ def _solve_exact(instance, options, modeler, solver, subtour_cuts):
             raise InputError(f'{name}: method "exact" has none, found {brief(value)}; {", ".join(METHODS)} have')
     if not subtour_cuts:
         raise InputError('subtour_cuts: False leaves out the cuts of a formulation, and method "exact" has none')
-    if not instance.plain:
-        raise InputError(
-            'method: "exact" solves the paper\'s problem only, with agents alike and no demands; take "micp"'
-        )
     from .exact import solve_exact
     from .warm_up import ensure_compiled
 

@@ -60,7 +60,9 @@ def bounded_times(graph, route):
         return None
     solved, bound = _solve_times(graph, route)
     candidates = [earliest] if solved is None else [earliest, _flyable_times(graph, route, solved)]
-    length, times = min(((_length(graph, route, times), times) for times in candidates), key=lambda found: found[0])
+    length, times = min(
+        ((float(leg_lengths(graph, route, times).sum()), times) for times in candidates), key=lambda found: found[0]
+    )
     return length, times, min(bound, length)
 
 
@@ -88,10 +90,11 @@ def to_tour(graph, route, times):
     return Tour(visits, float(min(home, graph.horizon)), agent)
 
 
-def _length(graph, route, times):
+def leg_lengths(graph, route, times):
+    """Return (len(route) + 1,) the lengths of a tour's legs, through the segments at the given times."""
     s, s_prime = _ends(graph, route)
     stops = np.vstack([graph.p_lo[s], *(graph.position(i, t) for i, t in zip(route, times)), graph.p_lo[s_prime]])
-    return float(np.linalg.norm(np.diff(stops, axis=0), axis=1).sum())
+    return np.linalg.norm(np.diff(stops, axis=0), axis=1)
 
 
 def _flyable_times(graph, route, times):

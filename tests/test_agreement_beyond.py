@@ -1,19 +1,15 @@
-"""Every formulation, modeler and back end finds the optimum of unlike agents with capacities that enumeration finds."""
+"""Every method, modeler and back end finds the optimum of unlike agents with capacities that enumeration finds."""
 
 import dataclasses
 import math
 
 import pytest
 
-from mamttsp import InputError, Instance, solve
+from mamttsp import Instance, solve
 from tests.examples import agents, general, still
 from tests.general_instances import FAST, SLOW, random_general
 from tests.oracle import optimum
-from tests.routes import ROUTES, assert_optimal
-
-#: without the exact method, which has the paper's problem only
-ROUTES_BEYOND = [route for route in ROUTES if route[0] != "exact"]
-every_route = pytest.mark.parametrize("route", ROUTES_BEYOND, ids=lambda route: "-".join(route))
+from tests.routes import assert_optimal, every_route
 
 
 def assert_agrees(problem, route):
@@ -62,15 +58,10 @@ def test_pruned_edges_change_nothing(n, n_types, seed):
     assert solve(problem, method="micp", prune=True).objective == pytest.approx(optimum(problem), rel=1e-4)
 
 
-def test_a_tour_names_its_type_where_the_instance_has_types():
+@pytest.mark.parametrize("method", ["exact", "micp"])
+def test_a_tour_names_its_type_where_the_instance_has_types(method):
     near, far = agents(1, (0.0, 0.0)), agents(1, (90.0, 0.0), max_speed=9.0, end=(80.0, 0.0))
-    solution = solve(general(still(10, 0), still(85, 0), types=[near, far]), method="micp")
+    solution = solve(general(still(10, 0), still(85, 0), types=[near, far]), method=method)
     assert sorted((tour.agent, tour.visits[0].target) for tour in solution.tours) == [(0, 0), (1, 1)]
     assert solution.to_dict()["version"] == 2
     assert solution.objective == pytest.approx(20 + 10)
-
-
-def test_the_exact_method_says_that_it_has_the_papers_problem_only():
-    with pytest.raises(InputError, match='^method: "exact" .*; take "micp"$') as caught:
-        solve(general(still(1, 1, demand=1.0), types=[agents()]))
-    assert len(str(caught.value).splitlines()) == 1

@@ -8,6 +8,7 @@ from ..display import ProgressLog
 from ..graph import build_graph
 from ..options import Watch
 from ..solution import FEASIBLE, INFEASIBLE, OPTIMAL, UNKNOWN, Solution
+from .fleet import Fleet
 from .parameters import Parameters
 from .ruin_and_recreate import Annealing
 from .search import Search
@@ -21,13 +22,14 @@ def solve_exact(instance, options, parameters=None):
 
     options: `options.Options`; threads has no effect, verbose prints a log. parameters: None for the defaults.
     """
-    graph, n_agents = build_graph(instance), min(instance.n_agents, instance.n_targets)
+    graph = build_graph(instance)
+    fleet = Fleet.of(graph)
     progress = options.progress or (ProgressLog() if options.verbose else None)
     with Watch(options.time_limit) as clock:
-        annealing = Annealing(graph, range(instance.n_targets), n_agents, options.seed)
+        annealing = Annealing(graph, range(instance.n_targets), fleet, options.seed)
         start = [_segments(graph, tour) for tour in options.start or ()]
         search = Search(
-            graph, n_agents, max(options.gap, _LEAST_GAP), clock, parameters or Parameters(), annealing, progress, start
+            graph, fleet, max(options.gap, _LEAST_GAP), clock, parameters or Parameters(), annealing, progress, start
         )
         with contextlib.suppress(KeyboardInterrupt):  # from the progress callback; Ctrl-C itself is the clock's
             search.run()
@@ -35,8 +37,12 @@ def solve_exact(instance, options, parameters=None):
 
 
 def _segments(graph, tour):
-    """Return the route of a tour: the segment of each visit, that whose time is nearest."""
-    late = [np.maximum(graph.t_lo - v.time, v.time - graph.t_hi) + 1e9 * (graph.tau != v.target) for v in tour.visits]
+    """Return the route of a tour: the segment of each visit in its agent's layer, that whose time is nearest."""
+    other = graph.layer != (tour.agent or 0)
+    late = [
+        np.maximum(graph.t_lo - v.time, v.time - graph.t_hi) + 1e9 * (other | (graph.tau != v.target))
+        for v in tour.visits
+    ]
     return tuple(int(np.argmin(off)) for off in late)
 
 

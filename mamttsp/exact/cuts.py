@@ -7,7 +7,8 @@ time it makes a second visit to a target of its row, counted anew whenever it le
 import dataclasses
 
 import numpy as np
-from numba import njit
+
+from ..compiled import compiled
 
 #: cuts are bits of one word
 MOST_CUTS = 63
@@ -53,7 +54,7 @@ class Cuts:
         return np.array([times_paid(route, inside, kept) for route in routes]).reshape(-1, 64)[:, : len(self.rows)]
 
 
-@njit(cache=True)
+@compiled
 def times_paid(route, inside, kept):
     """Return (64,) how often a route, a sequence of targets, pays each cut."""
     times, odd = np.zeros(64), np.uint64(0)
@@ -72,7 +73,8 @@ def separate(routes, level, n_targets, most, least_violation):
     routes: sequences of targets with the given level (J,) > 0 in a linear program's solution.
     """
     visits = np.array([np.bincount(route, minlength=n_targets) for route in routes], dtype=np.int8)
-    i, j, k = np.array([(i, j, k) for i in range(n_targets) for j in range(i) for k in range(j)], int).reshape(-1, 3).T
+    every = np.arange(n_targets)
+    i, j, k = np.nonzero((every[:, None, None] > every[:, None]) & (every[:, None] > every))
     total = np.zeros(len(i))
     for visit, share in zip(visits, level):
         total += share * ((visit[i] + visit[j] + visit[k]) // 2)

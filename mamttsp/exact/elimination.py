@@ -1,26 +1,27 @@
 """Elimination by reduced cost: arcs that no solution within the limit can use."""
 
 import numpy as np
-from numba import njit
 
+from ..compiled import compiled
 from .legs import before_leg
 from .ngroutes import penalty
 from .sets import disjoint, has
 
 
-@njit(cache=True)
+@compiled
 def arcs_alive(side, prices, lists, back, slack):
-    """Return (A,) bool: the arcs on some relaxed route of reduced cost at most `slack`.
+    """Return (A,) bool: the arcs on some relaxed route of reduced cost at most slack[k] in layer k.
 
     lists: values to go; back: values of the other direction, with its own order of ends.
     """
     alive = np.zeros(len(side.head), np.bool_)
     pi, inside, kept, sigma = prices.pi, prices.inside, prices.kept, prices.sigma
-    target, a, width, start, head, leg, speed = (
-        side.target, side.a, side.width, side.start, side.head, side.leg, side.speed
+    target, a, width, start, head, leg, demand = (
+        side.target, side.a, side.width, side.start, side.head, side.leg, side.demand
     )  # fmt: skip
     for q in range(len(a)):
-        u = target[q]
+        u, layer = target[q], side.layer[q]
+        speed, allowed = side.speed[layer], slack[layer]
         begin, end = back.first[q], back.first[q] + back.count[q]
         if begin == end:
             continue
@@ -28,6 +29,7 @@ def arcs_alive(side, prices, lists, back, slack):
         for k in range(start[q], start[q + 1]):
             r = head[k]
             w = target[r]
+            room = side.room[layer] - demand[layer, u] - demand[layer, w]
             for y in range(lists.first[r], lists.first[r] + lists.count[r]):
                 if alive[k]:
                     break
@@ -41,18 +43,18 @@ def arcs_alive(side, prices, lists, back, slack):
                 pay = -pi[w] - pi[u] + (penalty(hits, sigma) if hits else 0.0)
                 low += pay
                 high += pay
-                if min(best_left + low, best_right + high) > slack:
+                if min(best_left + low, best_right + high) > allowed:
                     continue
                 odd = (lists.parity[y] ^ inside[w]) & kept[u]
                 for x in range(begin, end):
-                    if min(back.right[x] + low, back.left[x] + high) > slack:
+                    if min(back.right[x] + low, back.left[x] + high) > allowed or back.load[x] + lists.load[y] > room:
                         continue
                     if has(back.memory, x, w) or not disjoint(back.memory, x, lists.memory, y):
                         continue
                     # Of the counts before, at and behind q two odd ones make a pair.
                     pairs = (odd & inside[u]) | (odd & back.parity[x]) | (inside[u] & back.parity[x])
                     more = penalty(pairs, sigma) if pairs else 0.0
-                    if min(back.right[x] + low, back.left[x] + high) + more <= slack:
+                    if min(back.right[x] + low, back.left[x] + high) + more <= allowed:
                         alive[k] = True
                         break
     return alive

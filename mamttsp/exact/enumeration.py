@@ -7,11 +7,13 @@ from . import labels as lab
 
 
 class Enumeration:
-    """All labels that can be completed within `slack` of reduced cost, grown from the depot over an evaluation's arcs.
+    """All labels that can be completed within the slack (K,) of their layer in reduced cost, grown from the depot over
+    an evaluation's arcs.
 
     complete: False if it needed more than `most` labels or `budget` extensions; it then proves nothing.
-    One column for each closed route: visited (J, W), cost (J,) lower bound on its length, reduced (J,) its least
-    reduced cost. depth, label: (J,) where it ends.
+    One column for each closed route: visited (J, W); agents (J,) its layer of the graph; cost (J,) lower bound on its
+    length; reduced (J,) its least reduced cost, spare (J,) what that leaves of the slack. depth, label: (J,) where it
+    ends.
     """
 
     def __init__(self, evaluation, slack, n_targets, whole, most, budget, out_of_time):
@@ -46,12 +48,15 @@ class Enumeration:
             if whole and s < self.n:
                 continue
             cost = lab.closings(layer, self.pieces)
-            hits = np.flatnonzero(cost <= slack)
-            found.append((np.full(len(hits), s), hits, layer.visited[hits], cost[hits]))
+            agents = self.pieces.layer[layer.piece]
+            hits = np.flatnonzero(cost <= slack[agents])
+            found.append((np.full(len(hits), s), hits, layer.visited[hits], agents[hits], cost[hits]))
         if not found:
-            found = [(np.zeros(0, int), np.zeros(0, int), self.layers[0].visited[:0], np.zeros(0))]
-        self.depth, self.label, self.visited, self.reduced = (np.concatenate(part) for part in zip(*found))
+            none = np.zeros(0, int)
+            found = [(none, none, self.layers[0].visited[:0], none, np.zeros(0))]
+        self.depth, self.label, self.visited, self.agents, self.reduced = map(np.concatenate, zip(*found))
         self.members = membership(self.visited, self.n)
+        self.spare = slack[self.agents] - self.reduced
         self.cost = self.reduced + self.members.T @ evaluation.prices.pi + evaluation.cuts.price_of(self.members)
 
     def route(self, column):

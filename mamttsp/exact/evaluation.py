@@ -1,7 +1,7 @@
 """The Lagrangian bound: 'each target once' and the subset-row cuts go into the objective, at prices pi and sigma.
 
-With at most m relaxed routes, L = sum(pi) + sum(sigma) + (least total reduced cost of 1 to m ng-routes) is a lower
-bound on every solution, whatever pi and whatever sigma <= 0. An Evaluation holds it with all that was found on the way.
+L = sum(pi) + sum(sigma) + (least total reduced cost of as many ng-routes as the fleet permits) is a lower bound on
+every solution, whatever pi and whatever sigma <= 0. An Evaluation holds it with all that was found on the way.
 """
 
 import dataclasses
@@ -12,8 +12,12 @@ import numpy as np
 from . import ngroutes
 from .cuts import Cuts
 from .elimination import arcs_alive
+from .fleet import Fleet
 from .legs import least, share_before
 from .pieces import Arcs, Pieces, all_arcs, finer, finer_arcs, make_pieces, select
+
+#: more entries than any list has
+_ALL = 1 << 40
 
 
 class Network(NamedTuple):
@@ -51,9 +55,7 @@ def restricted(network, alive, starts, ends):
     place = np.cumsum(used) - 1
     start = np.r_[0, np.cumsum(np.diff(arcs.start)[used])]
     arcs = Arcs(start, place[arcs.tail].astype(np.int32), place[arcs.head].astype(np.int32), arcs.leg)
-    pieces = network.pieces
-    pieces = Pieces(*(part[used] for part in pieces[:9]), *pieces[9:])
-    return make_network(pieces, arcs, starts[used], ends[used])
+    return make_network(network.pieces.only(used), arcs, starts[used], ends[used])
 
 
 def refined(network, graph, width, centre, targets):
@@ -66,18 +68,20 @@ def refined(network, graph, width, centre, targets):
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Evaluation:
-    """L at prices pi (n,) and those of the cuts, over a network. bound: L, infinite if there is no ng-route at all;
-    lists: values to go; cheapest: least reduced cost of an ng-route."""
+    """L at prices pi (n,) and those of the cuts, over a network. lists: values to go; cost, entry: (Q,) see
+    `ngroutes.cheapest_starts`; value: L, infinite if there is no ng-route at all; complete: False if not all ng-routes
+    were looked at: value then is only at least L, and bound -infinity."""
 
     network: Network
     N: np.ndarray
     pi: np.ndarray
     cuts: Cuts
-    n_agents: int
+    fleet: Fleet
     prices: ngroutes.Prices
     lists: ngroutes.Lists
     cost: np.ndarray
     entry: np.ndarray
+    complete: bool
 
     @property
     def pieces(self):
@@ -89,7 +93,10 @@ class Evaluation:
 
     @property
     def cheapest(self):
-        return float(self.cost.min(initial=np.inf))
+        """(K,) the least reduced cost of an ng-route of each layer."""
+        least = np.full(len(self.fleet.counts), np.inf)
+        np.minimum.at(least, self.pieces.layer, self.cost)
+        return least
 
     @property
     def constant(self):
@@ -97,31 +104,37 @@ class Evaluation:
         return float(self.pi.sum() + self.cuts.sigma.sum())
 
     @property
+    def value(self):
+        return self.constant + self.fleet.total(self.cheapest)
+
+    @property
     def bound(self):
-        return self.constant + min(self.cheapest, self.n_agents * self.cheapest)
+        return self.value if self.complete else -np.inf
 
     def slack(self, limit):
-        """Return the greatest reduced cost that a route of a solution of value at most `limit` may have."""
-        return limit - self.constant - (self.n_agents - 1) * min(self.cheapest, 0.0)
+        """Return (K,) the greatest reduced cost that a route of each layer may have in a solution of value at most
+        `limit`."""
+        return limit - self.constant - self.fleet.rest(self.cheapest)
 
     def columns(self, most, each, longest):
         """Return (routes, endless): up to `most` cheap ng-routes of pieces that visit different targets, no more than
-        `each` with the same first one; endless: beginnings of such with `longest` or more visits."""
+        `each` of a layer with the same first one; endless: beginnings of such with `longest` or more visits."""
         routes, endless, seen = [], [], set()
-        begun = np.zeros(len(self.pi), dtype=int)
+        begun = np.zeros(self.pieces.demand.shape, dtype=int)
         pieces, ahead = self.pieces, self.network.ahead
-        for q in np.argsort(self.cost, kind="stable"):
-            u = pieces.target[q]
+        above = self.cost - np.minimum(self.cheapest, 0.0)[pieces.layer]  # agents of a layer cost their least
+        for q in np.argsort(above, kind="stable"):
+            first = pieces.layer[q], pieces.target[q]
             if not np.isfinite(self.cost[q]) or len(routes) >= most:
                 break
-            if begun[u] >= each:
+            if begun[first] >= each:
                 continue
             route = ngroutes.trace(ahead, self.prices, self.lists, q, self.entry[q], longest)
-            key = tuple(pieces.target[route])
+            key = first[0], *pieces.target[route]
             if key in seen:
                 continue
             seen.add(key)
-            begun[u] += 1
+            begun[first] += 1
             if len(route) >= longest:
                 endless.append(route)
                 continue
@@ -139,27 +152,38 @@ class Evaluation:
     def eliminated(self, limit, tolerance):
         """Return the Network of what lies on a relaxed solution of value at most `limit`."""
         network, slack = self.network, self.slack(limit)
+        allowed = slack[self.pieces.layer]
         back = _values(network.back, self.prices, tolerance)
         alive = arcs_alive(network.ahead, self.prices, self.lists, back, slack)
         back_cost, _ = ngroutes.cheapest_starts(
             network.pieces._replace(first=network.pieces.last, ready=np.full(len(network.starts), -np.inf)),
             self.prices, _flipped(back),
         )  # fmt: skip
-        return restricted(network, alive, network.starts & (self.cost <= slack), network.ends & (back_cost <= slack))
+        return restricted(
+            network, alive, network.starts & (self.cost <= allowed), network.ends & (back_cost <= allowed)
+        )
 
 
 def _flipped(lists):
     return lists._replace(left=lists.right, right=lists.left)
 
 
-def evaluate(network, N, pi, cuts, n_agents, tolerance):
-    """Return the Evaluation at multipliers pi; values that change by less than `tolerance` count as unchanged."""
+def evaluate(network, N, pi, cuts, fleet, tolerance, most_entries=None):
+    """Return the Evaluation at multipliers pi; values that change by less than `tolerance` count as unchanged.
+
+    most_entries: of a piece's list; with fewer than there are the Evaluation is not complete.
+    """
     prices = ngroutes.Prices(pi, N, *cuts.words)
-    lists = _values(network.ahead, prices, tolerance)
+    lists = _values(network.ahead, prices, tolerance, most_entries)
     cost, entry = ngroutes.cheapest_starts(network.pieces, prices, lists)
     n = len(pi)
-    return Evaluation(network, N, pi, cuts, n_agents, prices, lists, cost - n * tolerance, entry)
+    return Evaluation(
+        network, N, pi, cuts, fleet, prices, lists, cost - n * tolerance, entry, most_entries is None
+    )  # fmt: skip
 
 
-def _values(side, prices, tolerance):
-    return ngroutes.values_to_go(side, prices, tolerance, len(prices.pi))[0]
+def _values(side, prices, tolerance, most_entries=None):
+    n = len(prices.pi)
+    if most_entries is None:
+        return ngroutes.values_to_go(side, prices, tolerance, n, _ALL)[0]
+    return ngroutes.values_to_go(side, prices, tolerance, n, most_entries)[0]

@@ -10,12 +10,17 @@ from .partition import choose
 
 
 class Incumbent:
-    """The best tours so far. routes: tuples of segments; objective: their length, infinite without routes."""
+    """The best tours of a Fleet so far. routes: tuples of segments; objective: their length, infinite without them."""
 
-    def __init__(self, graph, n_agents):
-        self.graph, self.m = graph, n_agents
+    def __init__(self, graph, fleet):
+        self.graph, self.fleet = graph, fleet
         self.objective, self.routes = math.inf, ()
         self._timed = {}
+
+    @property
+    def longest(self):
+        """No solution is longer: no agent flies further than v_max T."""
+        return float(self.fleet.counts @ self.graph.speeds) * self.graph.horizon
 
     def timed(self, route):
         """Return (length, times, bound) of a route of segments, see `bounded_times`, or None if it cannot be flown."""
@@ -32,21 +37,22 @@ class Incumbent:
         return True
 
     def recombine(self, targets, time_limit):
-        """Offer the best choice among the shortest routes through each set of targets that were ever timed."""
+        """Offer the best choice among the shortest routes, of each layer through each set of targets, ever timed."""
         best = {}
         for route, found in self._timed.items():
-            served = frozenset(self.graph.tau[list(route)])
+            served = int(self.graph.layer[route[0]]), frozenset(self.graph.tau[list(route)])
             if found and (served not in best or found[0] < self.timed(best[served])[0]):
                 best[served] = route
         number = {int(u): k for k, u in enumerate(targets)}
-        rows = [[number[int(u)] for u in served] for served in best]
+        rows = [[number[int(u)] for u in served] for _, served in best]
         index = (np.concatenate(rows), np.repeat(np.arange(len(rows)), [len(row) for row in rows])) if rows else None
         if index is None:
             return
         members = sparse.csc_matrix((np.ones(len(index[0])), index), shape=(len(number), len(rows)))
         lengths = np.array([self.timed(route)[0] for route in best.values()])
-        limit = min(self.objective, self.m * self.graph.max_speed * self.graph.horizon)
-        _, chosen = choose(members, lengths, self.m, limit, self.graph.size or 1.0, time_limit)
+        agents = np.array([layer for layer, _ in best])
+        limit = min(self.objective, self.longest)
+        _, chosen = choose(members, agents, lengths, self.fleet, limit, self.graph.size or 1.0, time_limit)
         if chosen is not None:
             routes = list(best.values())
             self.offer([routes[j] for j in chosen])

@@ -9,8 +9,8 @@ last piece is nowhere worse (dominance on bounds: the least bound of all complet
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from ..compiled import compiled, inlined
 from ..motion import earliest_meeting
 from .legs import after_leg, least, share_before
 from .ngroutes import penalty
@@ -21,15 +21,16 @@ _FIRST_SIZE = 1 << 12
 
 
 class Labels(NamedTuple):
-    """The X labels of one layer (number of visits).
+    """The X labels of one number of visits.
 
-    visited: (X, W) set of targets; odd: (X,) the subset-row cuts of whose rows it serves an odd number; piece: (X,)
-    last piece; left, right: (X,) reduced cost at its ends; early: (X,) earliest time there in s; parent: (X,) label of
-    the layer before, -1 for none.
+    visited: (X, W) set of targets; odd: (X,) the subset-row cuts of whose rows it serves an odd number; load: (X,)
+    their demand; piece: (X,) last piece; left, right: (X,) reduced cost at its ends; early: (X,) earliest time there in
+    s; parent: (X,) label of one visit less, -1 for none.
     """
 
     visited: np.ndarray
     odd: np.ndarray
+    load: np.ndarray
     piece: np.ndarray
     left: np.ndarray
     right: np.ndarray
@@ -37,42 +38,37 @@ class Labels(NamedTuple):
     parent: np.ndarray
 
 
-@njit(cache=True)
+@compiled
 def _empty(size, W):
     return Labels(
-        np.zeros((size, W), np.uint64), np.empty(size, np.uint64), np.empty(size, np.int32), np.empty(size),
-        np.empty(size), np.empty(size), np.empty(size, np.int32),
+        np.zeros((size, W), np.uint64), np.empty(size, np.uint64), np.empty(size), np.empty(size, np.int32),
+        np.empty(size), np.empty(size), np.empty(size), np.empty(size, np.int32),
     )  # fmt: skip
 
 
-@njit(cache=True)
+@compiled
 def _grown(labels):
     """Return the Labels with room for as many again."""
     size, W = labels.visited.shape
     more = _empty(2 * size, W)
-    more.visited[:size], more.odd[:size], more.piece[:size] = labels.visited, labels.odd, labels.piece
-    more.left[:size], more.right[:size] = labels.left, labels.right
-    more.early[:size], more.parent[:size] = labels.early, labels.parent
+    for x in range(size):
+        for z in range(W):
+            more.visited[x, z] = labels.visited[x, z]
+        more.odd[x], more.load[x], more.piece[x] = labels.odd[x], labels.load[x], labels.piece[x]
+        more.left[x], more.right[x], more.early[x] = labels.left[x], labels.right[x], labels.early[x]
+        more.parent[x] = labels.parent[x]
     return more
 
 
-@njit(cache=True)
-def select(labels, keep):
-    """Return the labels with the given indices, in that order."""
-    return Labels(
-        labels.visited[keep], labels.odd[keep], labels.piece[keep], labels.left[keep], labels.right[keep],
-        labels.early[keep], labels.parent[keep],
-    )  # fmt: skip
-
-
-@njit(cache=True, inline="always")
-def _can_be_completed(visited, x, odd, left, right, share, r, lists, limit, sigma):
-    """Tell whether an entry of the values to go at piece r keeps the label within the limit."""
+@inlined
+def _can_be_completed(visited, x, odd, room, left, right, share, r, lists, limit, sigma):
+    """Tell whether an entry of the values to go at piece r keeps the label within the limit; room: what can still be
+    carried."""
     found = False
     for y in range(lists.first[r], lists.first[r] + lists.count[r]):
         if min(left + lists.left[y], right + lists.right[y]) > limit:
             continue
-        if not disjoint(visited, x, lists.memory, y):
+        if lists.load[y] > room or not disjoint(visited, x, lists.memory, y):
             continue
         hits = odd & lists.parity[y]
         pay = penalty(hits, sigma) if hits else 0.0
@@ -82,7 +78,7 @@ def _can_be_completed(visited, x, odd, left, right, share, r, lists, limit, sigm
     return found
 
 
-@njit(cache=True)
+@compiled
 def _least_to_go(lists):
     """Return (Q, 2) the least values to go at both ends of each piece, whatever is remembered."""
     best = np.full((len(lists.first), 2), np.inf)
@@ -93,60 +89,88 @@ def _least_to_go(lists):
     return best
 
 
-@njit(cache=True)
 def first_labels(pieces, prices, lists, limit):
-    """Return the Labels of one visit: straight from the depot. lists: values to go, see `ngroutes`."""
+    """Return the Labels of one visit: straight from the depot. lists: values to go, see `ngroutes`; limit: (K,) of the
+    reduced cost of a route of each layer of the graph."""
+    labels, count = _first_labels(pieces, prices, lists, limit)
+    return Labels(*(part[:count] for part in labels))
+
+
+@compiled
+def _first_labels(pieces, prices, lists, limit):
     labels = _empty(len(pieces.a), prices.N.shape[1])
     x = 0
     for q in range(len(pieces.a)):
         if pieces.ready[q] == np.inf:
             continue
-        u = pieces.target[q]
+        u, layer = pieces.target[q], pieces.layer[q]
+        load = pieces.demand[layer, u]
         left, right = pieces.first[q, 0] - prices.pi[u], pieces.first[q, 1] - prices.pi[u]
         share = share_before(pieces.ready[q], pieces.a[q], pieces.b[q] - pieces.a[q])
         labels.visited[x] = 0
         add(labels.visited, x, u)
         odd = prices.inside[u]
-        if _can_be_completed(labels.visited, x, odd, left, right, share, q, lists, limit, prices.sigma):
-            labels.odd[x], labels.piece[x], labels.left[x], labels.right[x] = odd, q, left, right
+        room = pieces.room[layer] - load
+        if _can_be_completed(labels.visited, x, odd, room, left, right, share, q, lists, limit[layer], prices.sigma):
+            labels.odd[x], labels.load[x], labels.piece[x] = odd, load, q
+            labels.left[x], labels.right[x] = left, right
             labels.early[x], labels.parent[x] = pieces.ready[q], -1
             x += 1
-    return select(labels, np.arange(x))
+    return labels, x
 
 
-@njit(cache=True)
 def extend(old, pieces, arcs, prices, lists, limit, most, budget):
-    """Extend every label of a layer along every arc, and drop what is dominated.
+    """Extend every label of one number of visits along every arc, and drop what is dominated.
 
-    Returns (labels, links, tried, complete): the layer with one visit more; links: (Y, 2) pairs (old label, new label)
+    Returns (labels, links, tried, complete): those of one visit more; links: (Y, 2) pairs (old label, new label)
     of all extensions within the limit, the dominated ones linked to what dominates them; tried: how many extensions
     were; complete is False if more than `most` labels or `budget` tried extensions were needed, and the labels are then
     of no use.
+    """
+    new, count, heir, links, tried, complete = _extend(old, pieces, arcs, prices, lists, limit, most, budget)
+    if not complete:
+        return new, links, tried, False
+    keep = np.flatnonzero(heir[:count] < 0)
+    place = np.empty(count, np.int32)
+    place[keep] = np.arange(len(keep))
+    heads = links[:, 1]
+    while (dropped := heir[heads] >= 0).any():
+        heads = np.where(dropped, heir[heads], heads)
+    links[:, 1] = place[heads]
+    return Labels(*(part[keep] for part in new)), links, tried, True
+
+
+@compiled
+def _extend(old, pieces, arcs, prices, lists, limit, most, budget):
+    """Return (new, count, heir, links, tried, complete): as `extend`, but with the dominated among the first `count` of
+    the labels `new`; heir: (X,) what dominates each of them, or -1.
 
     All in one function, with arrays unpacked first: numba counts references at each call and attribute otherwise.
     """
     W = prices.N.shape[1]
-    new, count = _empty(_FIRST_SIZE, W), 0
+    new, count = _empty(np.int64(_FIRST_SIZE), W), np.int64(0)
     following = np.empty(_FIRST_SIZE, np.int32)
     heir = np.full(_FIRST_SIZE, -1, np.int32)  # the label that dominates a dropped one
     head = np.full(4 * _FIRST_SIZE, -1, np.int32)
     links, linked, tried = np.empty((_FIRST_SIZE, 2), np.int32), 0, 0
-    a, b, p, v, target, speed = pieces.a, pieces.b, pieces.p, pieces.v, pieces.target, pieces.speed
+    a, b, p, v, target, demand = pieces.a, pieces.b, pieces.p, pieces.v, pieces.target, pieces.demand
     start, heads, leg = arcs.start, arcs.head, arcs.leg
     pi, inside, sigma = prices.pi, prices.inside, prices.sigma
     fresh, best = np.zeros((1, W), np.uint64), _least_to_go(lists)
     for x in range(len(old.left)):
         q = old.piece[x]
+        layer = pieces.layer[q]
+        speed, most_cost, room = pieces.speed[layer], limit[layer], pieces.room[layer] - old.load[x]
         a_q, width_q = a[q], b[q] - a[q]
         since = max(0.0, old.early[x] - a_q)
         px, py = p[q, 0] + since * v[q, 0], p[q, 1] + since * v[q, 1]
         tried += start[q + 1] - start[q]
         if tried > budget:
-            return new, links[:0], tried, False
+            return new, count, heir, links[:0], tried, False
         for k in range(start[q], start[q + 1]):
             r = heads[k]
             w = target[r]
-            if has(old.visited, x, w):
+            if has(old.visited, x, w) or demand[layer, w] > room:
                 continue
             width = b[r] - a[r]
             hits = old.odd[x] & inside[w]
@@ -155,7 +179,7 @@ def extend(old, pieces, arcs, prices, lists, limit, most, budget):
                 leg[k, 0], leg[k, 1], leg[k, 2], old.left[x], old.right[x], width_q, width, a[r] - a_q, speed, since,
                 0.0,
             )  # fmt: skip
-            if min(left + best[r, 0], right + best[r, 1]) + pay > limit:  # most end here, before any root is taken
+            if min(left + best[r, 0], right + best[r, 1]) + pay > most_cost:  # most end here, before any root is taken
                 continue
             early = earliest_meeting(px, py, a_q + since, p[r, 0], p[r, 1], a[r], v[r, 0], v[r, 1], a[r], b[r], speed)
             if early == np.inf:
@@ -171,12 +195,14 @@ def extend(old, pieces, arcs, prices, lists, limit, most, budget):
                 fresh[0, z] = old.visited[x, z]
             add(fresh, 0, w)
             odd = old.odd[x] ^ inside[w]
-            if not _can_be_completed(fresh, 0, odd, left, right, share, r, lists, limit, sigma):
+            if not _can_be_completed(
+                fresh, 0, odd, room - demand[layer, w], left, right, share, r, lists, most_cost, sigma
+            ):
                 continue
             if linked == len(links):
                 links = np.concatenate((links, np.empty_like(links)))
             links[linked, 0] = x
-            slot = _slot_of(fresh, 0, r, len(head))
+            slot = _slot_of(fresh, np.int64(0), r, len(head))
             better = _dominate(
                 new, head[slot], following, heir, count, fresh, r, left, right, early, share, a[r], width
             )
@@ -187,25 +213,25 @@ def extend(old, pieces, arcs, prices, lists, limit, most, budget):
             links[linked, 1] = count
             linked += 1
             if count >= most:
-                return new, links[:0], tried, False
+                return new, count, heir, links[:0], tried, False
             if count == len(new.left):
                 new = _grown(new)
                 following = np.concatenate((following, np.empty_like(following)))
                 heir = np.concatenate((heir, np.full(len(heir), -1, np.int32)))
                 head = _rehash(new, count, 4 * len(new.left), following)
-                slot = _slot_of(fresh, 0, r, len(head))
+                slot = _slot_of(fresh, np.int64(0), r, len(head))
             for z in range(W):
                 new.visited[count, z] = fresh[0, z]
-            new.odd[count], new.piece[count], new.left[count], new.right[count] = odd, r, left, right
+            new.odd[count], new.load[count], new.piece[count] = odd, old.load[x] + demand[layer, w], r
+            new.left[count], new.right[count] = left, right
             new.early[count], new.parent[count] = early, x
             following[count] = head[slot]
             head[slot] = count
             count += 1
-    labels, links = _compact(new, count, heir, links[:linked])
-    return labels, links, tried, True
+    return new, count, heir, links[:linked], tried, True
 
 
-@njit(cache=True)
+@compiled
 def _slot_of(visited, x, piece, size):
     """Return where in a table of `size`, a power of 2, the labels of a set and piece are chained."""
     key = np.uint64(piece) * np.uint64(0xC2B2AE3D27D4EB4F)
@@ -215,7 +241,7 @@ def _slot_of(visited, x, piece, size):
     return np.int64(key & np.uint64(size - 1))
 
 
-@njit(cache=True)
+@compiled
 def _rehash(labels, count, size, following):
     """Return a table of `size` with the chains of the first `count` labels, linked by `following`."""
     head = np.full(size, -1, np.int32)
@@ -226,7 +252,7 @@ def _rehash(labels, count, size, following):
     return head
 
 
-@njit(cache=True)
+@compiled
 def _dominate(new, y, following, heir, count, visited, r, left, right, early, share, start, width):
     """Return a label of the chain from y that dominates the candidate, or -1; what the candidate dominates gets it
     as heir."""
@@ -248,21 +274,7 @@ def _dominate(new, y, following, heir, count, visited, r, left, right, early, sh
     return -1
 
 
-@njit(cache=True)
-def _compact(new, count, heir, links):
-    """Take the dominated labels out, and let their links point to their heirs."""
-    keep = np.flatnonzero(heir[:count] < 0)
-    place = np.empty(count, np.int32)
-    place[keep] = np.arange(len(keep))
-    for y in range(len(links)):
-        x = links[y, 1]
-        while heir[x] >= 0:
-            x = heir[x]
-        links[y, 1] = place[x]
-    return select(new, keep), links
-
-
-@njit(cache=True)
+@compiled
 def closings(labels, pieces):
     """Return (X,) the reduced cost of each label's route with its flight home, infinite if it would come too late."""
     cost = np.full(len(labels.left), np.inf)
@@ -270,10 +282,10 @@ def closings(labels, pieces):
         q = labels.piece[x]
         if pieces.last[q, 0] == np.inf:
             continue
-        start = max(0.0, labels.early[x] - pieces.a[q])
+        layer, start = pieces.layer[q], max(0.0, labels.early[x] - pieces.a[q])
         home = earliest_meeting(
             pieces.p[q, 0] + start * pieces.v[q, 0], pieces.p[q, 1] + start * pieces.v[q, 1], pieces.a[q] + start,
-            pieces.depot[0], pieces.depot[1], 0.0, 0.0, 0.0, 0.0, pieces.horizon, pieces.speed,
+            pieces.end[layer, 0], pieces.end[layer, 1], 0.0, 0.0, 0.0, 0.0, pieces.horizon, pieces.speed[layer],
         )  # fmt: skip
         if home < np.inf:
             share = share_before(labels.early[x], pieces.a[q], pieces.b[q] - pieces.a[q])

@@ -5,11 +5,11 @@ N_u. It may also leave a piece at another time than it arrived. A value to go is
 (left, right) at the two ends of the piece, of the reduced cost (length less the multiplier pi of each visit, and the
 prices of subset-row cuts) of every real route's way from there to its end.
 
-Values are kept in a list for each piece, one entry for each memory (set of targets that must not come before) and
-parity (of the subset-row cuts), thinned by dominance. Pieces are handled from the last to the first; a piece whose
-list changed marks those before it that were handled already (their flights go between overlapping pieces), and passes
-go on until nothing changes: then the values hold for routes of any length. After as many passes as there are targets
-they hold for all real routes in any case.
+Values are kept in a list for each piece, one entry for each memory (set of targets that must not come before), parity
+(of the subset-row cuts) and load (demand from there on), thinned by dominance. Pieces are handled from the last to the
+first; a piece whose list changed marks those before it that were handled already (their flights go between overlapping
+pieces), and passes go on until nothing changes: then the values hold for routes of any length. After as many passes as
+there are targets they hold for all real routes in any case.
 
 The same code runs forward in time: `reversed_side` shows it the instance with time running backward.
 """
@@ -17,8 +17,8 @@ The same code runs forward in time: `reversed_side` shows it the instance with t
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from ..compiled import compiled, inlined
 from .legs import before_leg, least, share_before
 from .sets import add, grown, has, same, subset
 
@@ -26,13 +26,15 @@ from .sets import add, grown, has, same, subset
 class Side(NamedTuple):
     """The pieces and arcs as seen in one direction of time.
 
-    order: (Q,) pieces, the last first; place: (Q,) where each is in `order`; a, width: (Q,); end: (Q, 2) the leg home
-    at both ends of a piece; start, head, leg: as in Arcs; back_start, back: the tails of the arcs into each piece.
+    order: (Q,) pieces, the last first; place: (Q,) where each is in `order`; target, layer, a, width: (Q,); end: (Q, 2)
+    the leg home at both ends of a piece; start, head, leg: as in Arcs; back_start, back: the tails of the arcs into
+    each piece; speed, demand, room: as in Pieces.
     """
 
     order: np.ndarray
     place: np.ndarray
     target: np.ndarray
+    layer: np.ndarray
     a: np.ndarray
     width: np.ndarray
     end: np.ndarray
@@ -41,17 +43,20 @@ class Side(NamedTuple):
     leg: np.ndarray
     back_start: np.ndarray
     back: np.ndarray
-    speed: float
+    speed: np.ndarray
+    demand: np.ndarray
+    room: np.ndarray
 
 
 class Lists(NamedTuple):
-    """Entries of each piece q: first[q] : first[q] + count[q] of memory (X, W), parity (X,), left, right (X,), in order
-    of their sums."""
+    """Entries of each piece q: first[q] : first[q] + count[q] of memory (X, W), parity, load (the demand of the visits
+    behind q), left and right, all (X,), in order of the sums of the last two."""
 
     first: np.ndarray
     count: np.ndarray
     memory: np.ndarray
     parity: np.ndarray
+    load: np.ndarray
     left: np.ndarray
     right: np.ndarray
 
@@ -87,10 +92,13 @@ def _side(pieces, a, end, start, head, leg, back_start, back):
     place = np.empty(len(order), np.int64)
     place[order] = np.arange(len(order))
     width = pieces.b - pieces.a
-    return Side(order, place, pieces.target, a, width, end, start, head, leg, back_start, back, pieces.speed)
+    return Side(
+        order, place, pieces.target, pieces.layer, a, width, end, start, head, leg, back_start, back, pieces.speed,
+        pieces.demand, pieces.room,
+    )  # fmt: skip
 
 
-@njit(cache=True)
+@compiled
 def penalty(hits, sigma):
     """Return what the subset-row cuts with these bits cost, >= 0."""
     total = 0.0
@@ -103,45 +111,50 @@ def penalty(hits, sigma):
     return total
 
 
-@njit(cache=True, inline="always")
+@inlined
 def _pays(odd, sigma):
     """Return the penalty of the cuts in `odd`, most often none."""
     return penalty(odd, sigma) if odd else 0.0
 
 
-@njit(cache=True)
-def _extended(q, side, prices, lists, work, first_time):
-    """Gather in `work` (memory, parity, left, right) what can be said of piece q from the lists of the pieces behind
-    it: the entries that no other dominates, by their sums; return how many, -1 if there is no room.
+@compiled
+def _extended(q, side, prices, lists, work, first_time, most):
+    """Gather in `work` (memory, parity, load, left, right) what can be said of piece q from the lists of those behind
+    it: the entries that no other dominates, by their sums, the first `most` of them; return how many, -1 if there is no
+    room.
 
     Everything is unpacked first and done in one loop: numba counts references at each call and attribute otherwise.
     """
-    memory, parity, left, right = work
-    first, count, old_memory, old_parity, old_left, old_right = lists
-    target, a, width, head, leg, speed = side.target, side.a, side.width, side.head, side.leg, side.speed
+    memory, parity, load, left, right = work
+    first, count, old_memory, old_parity, old_load, old_left, old_right = lists
+    target, a, width, head, leg, demand = side.target, side.a, side.width, side.head, side.leg, side.demand
     pi, N, inside, sigma = prices.pi, prices.N, prices.inside, prices.sigma
     W, room, known = N.shape[1], len(left), count[q]
-    u, a_q, width_q, kept = target[q], a[q], width[q], prices.kept[target[q]]
+    u, a_q, width_q, kept, layer = target[q], a[q], width[q], prices.kept[target[q]], side.layer[q]
+    speed, room_q = side.speed[layer], side.room[layer] - demand[layer, u]
     fresh = np.zeros((1, W), np.uint64)
     if known > room:
         return -1
     for x in range(known):
         for z in range(W):
             memory[x, z] = old_memory[first[q] + x, z]
-        parity[x], left[x], right[x] = old_parity[first[q] + x], old_left[first[q] + x], old_right[first[q] + x]
+        parity[x], load[x] = old_parity[first[q] + x], old_load[first[q] + x]
+        left[x], right[x] = old_left[first[q] + x], old_right[first[q] + x]
     begin = side.start[q] - 1 if first_time and side.end[q, 0] < np.inf else side.start[q]
     for k in range(begin, side.start[q + 1]):
         home = k < side.start[q]  # the leg to the depot comes first, then the arcs
         r = q if home else head[k]
         w = target[r]
         gap, pi_w, inside_w, width_r, known_w = a[r] - a_q, pi[w], inside[w], width[r], has(N, u, w)
+        demand_w = demand[layer, w]
         for x in range(first[r], first[r] + (1 if home else count[r])):
             if home:
-                low, high, odd = side.end[q, 0], side.end[q, 1], np.uint64(0)
+                low, high, odd, carried = side.end[q, 0], side.end[q, 1], np.uint64(0), 0.0
                 for z in range(W):
                     fresh[0, z] = np.uint64(0)
             else:
-                if has(old_memory, x, u):
+                carried = old_load[x] + demand_w
+                if has(old_memory, x, u) or carried > room_q:
                     continue
                 low, high = before_leg(
                     leg[k, 0], leg[k, 1], leg[k, 2], old_left[x], old_right[x], width_q, width_r, gap, speed
@@ -158,7 +171,7 @@ def _extended(q, side, prices, lists, work, first_time):
             while y < known and left[y] + right[y] <= total:
                 if left[y] <= low and right[y] <= high and subset(memory, y, fresh, 0):
                     pay = _pays(parity[y] & ~odd, sigma)
-                    if left[y] + pay <= low and right[y] + pay <= high:
+                    if left[y] + pay <= low and right[y] + pay <= high and load[y] <= carried:
                         break
                 y += 1
             if y < known and left[y] + right[y] <= total:
@@ -168,46 +181,52 @@ def _extended(q, side, prices, lists, work, first_time):
                 pay = np.inf
                 if low <= left[y] and high <= right[y] and subset(fresh, 0, memory, y):
                     pay = _pays(odd & ~parity[y], sigma)
-                if low + pay <= left[y] and high + pay <= right[y]:
+                if low + pay <= left[y] and high + pay <= right[y] and carried <= load[y]:
                     gone += 1
                 elif gone:
                     for z in range(W):
                         memory[y - gone, z] = memory[y, z]
-                    parity[y - gone], left[y - gone], right[y - gone] = parity[y], left[y], right[y]
+                    parity[y - gone], load[y - gone] = parity[y], load[y]
+                    left[y - gone], right[y - gone] = left[y], right[y]
                 y += 1
             known -= gone
+            if known == most:
+                if place == most:
+                    continue
+                known -= 1
             if known == room:
                 return -1
             for y in range(known, place, -1):
                 for z in range(W):
                     memory[y, z] = memory[y - 1, z]
-                parity[y], left[y], right[y] = parity[y - 1], left[y - 1], right[y - 1]
+                parity[y], load[y], left[y], right[y] = parity[y - 1], load[y - 1], left[y - 1], right[y - 1]
             for z in range(W):
                 memory[place, z] = fresh[0, z]
-            parity[place], left[place], right[place] = odd, low, high
+            parity[place], load[place], left[place], right[place] = odd, carried, low, high
             known += 1
     return known
 
 
-@njit(cache=True)
+@compiled
 def _room(size, W):
-    return np.empty((size, W), np.uint64), np.empty(size, np.uint64), np.empty(size), np.empty(size)
+    return np.empty((size, W), np.uint64), np.empty(size, np.uint64), np.empty(size), np.empty(size), np.empty(size)
 
 
-@njit(cache=True)
-def values_to_go(side, prices, tolerance, most_passes):
+@compiled
+def values_to_go(side, prices, tolerance, most_passes, most_entries):
     """Return (lists, passes): the values to go of each piece, its own multiplier not included.
 
-    tolerance: a change of a value that counts as none.
+    tolerance: a change of a value that counts as none; most_entries: of one piece: with fewer than there are the values
+    are those of some ng-routes, and bound nothing.
     """
     Q, W = len(side.a), prices.N.shape[1]
     size = 4 * Q + 64
     lists = Lists(
         np.zeros(Q, np.int64), np.zeros(Q, np.int64), np.empty((size, W), np.uint64), np.empty(size, np.uint64),
-        np.empty(size), np.empty(size),
+        np.empty(size), np.empty(size), np.empty(size),
     )  # fmt: skip
-    used, passes, again = 0, 0, True
-    work = _room(256, W)
+    used, passes, again = np.int64(0), 0, True
+    work = _room(np.int64(256), W)
     dirty = np.ones(Q, np.bool_)
     while again and passes < most_passes:
         again = False
@@ -216,17 +235,17 @@ def values_to_go(side, prices, tolerance, most_passes):
             if not dirty[q]:
                 continue
             dirty[q] = False
-            known = _extended(q, side, prices, lists, work, passes == 1)
+            known = _extended(q, side, prices, lists, work, passes == 1, most_entries)
             while known < 0:
                 work = _room(4 * len(work[2]), W)
-                known = _extended(q, side, prices, lists, work, passes == 1)
+                known = _extended(q, side, prices, lists, work, passes == 1, most_entries)
             if _unchanged(work, known, lists, q, tolerance):
                 continue
             if known > lists.count[q]:
                 if used + known > len(lists.left):
                     lists = Lists(
                         lists.first, lists.count,
-                        *grown(lists.memory, lists.parity, lists.left, lists.right, used, known),
+                        *grown(lists.memory, lists.parity, lists.load, lists.left, lists.right, used, known),
                     )  # fmt: skip
                 lists.first[q] = used
                 used += known
@@ -239,30 +258,33 @@ def values_to_go(side, prices, tolerance, most_passes):
     return lists, passes
 
 
-@njit(cache=True)
+@compiled
 def _store(work, known, lists, q):
     """Make the first `known` entries the list of piece q."""
-    begin, end = lists.first[q], lists.first[q] + known
+    memory, parity, load, left, right = work
     lists.count[q] = known
-    lists.memory[begin:end], lists.parity[begin:end] = work[0][:known], work[1][:known]
-    lists.left[begin:end], lists.right[begin:end] = work[2][:known], work[3][:known]
+    for x in range(known):
+        y = lists.first[q] + x
+        for z in range(memory.shape[1]):
+            lists.memory[y, z] = memory[x, z]
+        lists.parity[y], lists.load[y], lists.left[y], lists.right[y] = parity[x], load[x], left[x], right[x]
 
 
-@njit(cache=True)
+@compiled
 def _unchanged(work, known, lists, q, tolerance):
-    memory, parity, left, right = work
+    memory, parity, load, left, right = work
     if known != lists.count[q]:
         return False
     for x in range(known):
         y = lists.first[q] + x
-        if parity[x] != lists.parity[y] or not same(memory, x, lists.memory, y):
+        if parity[x] != lists.parity[y] or load[x] != lists.load[y] or not same(memory, x, lists.memory, y):
             return False
         if left[x] < lists.left[y] - tolerance or right[x] < lists.right[y] - tolerance:
             return False
     return True
 
 
-@njit(cache=True)
+@compiled
 def cheapest_starts(pieces, prices, lists):
     """Return (cost, entry), each (Q,): the least reduced cost of an ng-route that begins at each piece, and the first
     entry of its list on it; infinite and -1 where there is none."""
@@ -283,7 +305,7 @@ def cheapest_starts(pieces, prices, lists):
     return cost, entry
 
 
-@njit(cache=True)
+@compiled
 def trace(side, prices, lists, q, x, longest):
     """Return the pieces of a cheapest ng-route from piece q on that begins with entry x of its list; the first
     `longest` of them if it has as many: it then goes round and round between pieces that overlap in time."""
@@ -293,7 +315,7 @@ def trace(side, prices, lists, q, x, longest):
     while length < longest:
         route[length] = q
         length += 1
-        u = side.target[q]
+        u, layer = side.target[q], side.layer[q]
         best, best_k, best_x = np.inf, -1, -1
         if side.end[q, 0] < np.inf:
             best = max(side.end[q, 0] - lists.left[x], side.end[q, 1] - lists.right[x])
@@ -306,7 +328,7 @@ def trace(side, prices, lists, q, x, longest):
                     continue
                 low, high = before_leg(
                     side.leg[k, 0], side.leg[k, 1], side.leg[k, 2], lists.left[y], lists.right[y], side.width[q],
-                    side.width[r], side.a[r] - side.a[q], side.speed,
+                    side.width[r], side.a[r] - side.a[q], side.speed[layer],
                 )  # fmt: skip
                 pay = penalty(lists.parity[y] & prices.inside[w], prices.sigma) - prices.pi[w]
                 off = max(low + pay - lists.left[x], high + pay - lists.right[x])
@@ -316,7 +338,7 @@ def trace(side, prices, lists, q, x, longest):
                     fresh[0, z] = lists.memory[y, z] & prices.N[u, z]
                 if has(prices.N, u, w):
                     add(fresh, 0, w)
-                if subset(fresh, 0, lists.memory, x):
+                if subset(fresh, 0, lists.memory, x) and lists.load[y] + side.demand[layer, w] <= lists.load[x]:
                     best, best_k, best_x = off, k, y
         if best_k < 0:
             return route[:length]
@@ -324,7 +346,7 @@ def trace(side, prices, lists, q, x, longest):
     return route
 
 
-@njit(cache=True)
+@compiled
 def value_along(side, prices, route):
     """Return (left, right, times): the values to go at the first piece of a route of pieces, with what its own visit
     pays of the subset-row cuts, and how often the route pays each of them."""
@@ -338,7 +360,7 @@ def value_along(side, prices, route):
             if side.head[k] == r:
                 left, right = before_leg(
                     side.leg[k, 0], side.leg[k, 1], side.leg[k, 2], left, right, side.width[q], side.width[r],
-                    side.a[r] - side.a[q], side.speed,
+                    side.a[r] - side.a[q], side.speed[side.layer[q]],
                 )  # fmt: skip
                 break
         hits = odd & prices.inside[w]

@@ -4,8 +4,8 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from ..compiled import compiled
 from ..motion import TIME_SLACK, earliest_meeting
 from .legs import tangent
 
@@ -13,14 +13,18 @@ from .legs import tangent
 class Pieces(NamedTuple):
     """Q pieces, ordered by segment, then time.
 
-    segment, target: (Q,) node of the graph and target; a, b: (Q,) start and end in s; p, v: (Q, 2) position at a,
-    velocity. first, last: (Q, 2) minorants of the legs from and to the depot: value at a, at b; infinite where
-    they cannot be flown. ready: (Q,) earliest time at which an agent from the depot can be at q, infinite if never.
-    depot: (2,); speed: v_max; horizon: T.
+    segment, target, layer: (Q,) node of the graph, target, and layer of the graph (type of agents); a, b: (Q,) start
+    and end in s; p, v: (Q, 2) position at a, velocity. first, last: (Q, 2) minorants of the legs from the depot and to
+    the end: value at a, at b; infinite where they cannot be flown. ready: (Q,) earliest time at which an agent from the
+    depot can be at q, infinite if never.
+
+    Of K layers: end: (K, 2); speed: (K,) v_max; demand: (K, n) what serving each target takes, 0 where all fits; room:
+    (K,) what an agent can carry. horizon: T.
     """
 
     segment: np.ndarray
     target: np.ndarray
+    layer: np.ndarray
     a: np.ndarray
     b: np.ndarray
     p: np.ndarray
@@ -28,9 +32,15 @@ class Pieces(NamedTuple):
     first: np.ndarray
     last: np.ndarray
     ready: np.ndarray
-    depot: np.ndarray
-    speed: float
+    end: np.ndarray
+    speed: np.ndarray
+    demand: np.ndarray
+    room: np.ndarray
     horizon: float
+
+    def only(self, which):
+        """Return the pieces marked in which (Q,)."""
+        return Pieces(*(part[which] for part in self[:10]), *self[10:])
 
 
 class Arcs(NamedTuple):
@@ -53,10 +63,14 @@ def make_pieces(graph, segment, a, b, targets):
     p = graph.p_lo[segment] + (a - graph.t_lo[segment])[:, None] * v
     number = np.full(graph.n_targets, -1)
     number[list(targets)] = np.arange(len(targets))
-    depot = graph.p_lo[graph.s].copy()
-    first, last, ready = _depot_legs(a, b, p, v, depot, graph.max_speed, graph.horizon)
-    target = number[graph.tau[segment]]
-    return Pieces(segment, target, a, b, p, v, first, last, ready, depot, graph.max_speed, graph.horizon)
+    target, layer = number[graph.tau[segment]], graph.layer[segment]
+    everything = graph.demands.sum()
+    demand = np.where(graph.room[:, None] < everything, graph.demands[list(targets)], 0.0)
+    depot, end, speed, room = graph.p_lo[graph.starts], graph.p_lo[graph.ends], graph.speeds, graph.room
+    first, last, ready = _end_legs(a, b, p, v, layer, depot, end, speed, graph.horizon)
+    heavy = demand[layer, target] > room[layer]
+    first[heavy], last[heavy], ready[heavy] = np.inf, np.inf, np.inf
+    return Pieces(segment, target, layer, a, b, p, v, first, last, ready, end, speed, demand, room, graph.horizon)
 
 
 def even_cuts(graph, segments, width):
@@ -92,28 +106,28 @@ def _split(a, b, width, centre=None):
     return zip(points[:-1], points[1:])
 
 
-@njit(cache=True)
-def _depot_legs(a, b, p, v, depot, speed, horizon):
+@compiled
+def _end_legs(a, b, p, v, layer, depots, ends, speeds, horizon):
     Q = len(a)
     first, last, ready = np.full((Q, 2), np.inf), np.full((Q, 2), np.inf), np.full(Q, np.inf)
     for q in range(Q):
-        half = 0.5 * (b[q] - a[q])
-        d, _, slope = tangent(
-            p[q, 0] + half * v[q, 0] - depot[0], p[q, 1] + half * v[q, 1] - depot[1], 0.0, 0.0, v[q, 0], v[q, 1]
-        )
+        half, k = 0.5 * (b[q] - a[q]), layer[q]
+        x, y = p[q, 0] + half * v[q, 0], p[q, 1] + half * v[q, 1]
         ready[q] = earliest_meeting(
-            depot[0], depot[1], 0.0, p[q, 0], p[q, 1], a[q], v[q, 0], v[q, 1], a[q], b[q], speed
+            depots[k, 0], depots[k, 1], 0.0, p[q, 0], p[q, 1], a[q], v[q, 0], v[q, 1], a[q], b[q], speeds[k]
         )
         if ready[q] < np.inf:
-            first[q] = d - slope * half, d + slope * half
-        home = a[q] + math.hypot(p[q, 0] - depot[0], p[q, 1] - depot[1]) / speed
+            d, _, slope = tangent(x - depots[k, 0], y - depots[k, 1], 0.0, 0.0, v[q, 0], v[q, 1])
+            first[q, 0], first[q, 1] = d - slope * half, d + slope * half
+        home = a[q] + math.hypot(p[q, 0] - ends[k, 0], p[q, 1] - ends[k, 1]) / speeds[k]
         if home <= horizon + TIME_SLACK * (1.0 + horizon):
-            last[q] = d - slope * half, d + slope * half
+            d, _, slope = tangent(x - ends[k, 0], y - ends[k, 1], 0.0, 0.0, v[q, 0], v[q, 1])
+            last[q, 0], last[q, 1] = d - slope * half, d + slope * half
     return first, last, ready
 
 
 def all_arcs(pieces):
-    """Return the Arcs between pieces of different targets that an agent can fly in time."""
+    """Return the Arcs between pieces of different targets in a layer that one agent can fly in time, and carry."""
     Q = len(pieces.a)
     return _make_arcs(pieces, np.zeros(Q, np.int64), np.array([0, Q]), np.arange(Q))
 
@@ -127,7 +141,7 @@ def finer_arcs(pieces, origin, parents):
     return _make_arcs(pieces, origin, start[parents.start], heads)
 
 
-@njit(cache=True)
+@compiled
 def _concatenated(kin, first_kin, parents):
     count = 0
     for r in parents:
@@ -141,7 +155,7 @@ def _concatenated(kin, first_kin, parents):
     return heads
 
 
-@njit(cache=True)
+@compiled
 def _make_arcs(pieces, group, start, heads):
     """Return the Arcs from each piece q to those of heads[start[group[q]] : start[group[q] + 1]] it can reach."""
     Q = len(pieces.a)
@@ -165,9 +179,12 @@ def _make_arcs(pieces, group, start, heads):
     return Arcs(begin, tail, head, leg)
 
 
-@njit(cache=True)
+@compiled
 def _flyable(pieces, q, r):
-    if pieces.target[q] == pieces.target[r] or pieces.ready[q] == np.inf or pieces.last[r, 0] == np.inf:
+    k, u, w = pieces.layer[q], pieces.target[q], pieces.target[r]
+    if u == w or k != pieces.layer[r] or pieces.ready[q] == np.inf or pieces.last[r, 0] == np.inf:
+        return False
+    if pieces.demand[k, u] + pieces.demand[k, w] > pieces.room[k]:
         return False
     # Targets are slower than agents: who cannot be at the end of r from the start of q can never be at r.
     available = pieces.b[r] - pieces.a[q]
@@ -178,10 +195,10 @@ def _flyable(pieces, q, r):
         pieces.p[r, 0] + width * pieces.v[r, 0] - pieces.p[q, 0],
         pieces.p[r, 1] + width * pieces.v[r, 1] - pieces.p[q, 1],
     )
-    return d <= pieces.speed * (available + TIME_SLACK * (1.0 + abs(pieces.b[r])))
+    return d <= pieces.speed[k] * (available + TIME_SLACK * (1.0 + abs(pieces.b[r])))
 
 
-@njit(cache=True)
+@compiled
 def _set_leg(pieces, q, r, leg):
     hq, hr = 0.5 * (pieces.b[q] - pieces.a[q]), 0.5 * (pieces.b[r] - pieces.a[r])
     d, in_q, in_r = tangent(

@@ -5,6 +5,13 @@ from typing import NamedTuple
 import highspy
 import numpy as np
 
+#: most that the master pays for a route that is needed only because so many are, in units
+_NEEDED = 2.0
+
+
+#: HiGHS's number for the primal simplex method
+_PRIMAL = 4
+
 
 class Duals(NamedTuple):
     """value: of the linear program; pi: (n,); sigma: (C,) <= 0; level: (J,) of the columns; outside: how much of the
@@ -18,30 +25,44 @@ class Duals(NamedTuple):
 
 
 class RestrictedMaster:
-    """Columns in rows: each target once, at most m routes, each subset-row cut at most once.
+    """Columns in rows: each target once, of each layer at most as many routes as the fleet has, in all as many as it
+    needs, each subset-row cut at most once.
 
-    Two artificial columns for each target hold its price in a box. Costs are given in units of `unit`, so that HiGHS's
-    tolerances fit.
+    Two artificial columns for each target hold its price in a box, and one holds down that of the routes needed. Costs
+    are given in units of `unit`, so that HiGHS's tolerances fit.
     """
 
-    def __init__(self, n_targets, n_agents, n_cuts, unit):
-        self.n, self.unit = n_targets, unit
+    def __init__(self, n_targets, fleet, n_cuts, unit):
+        self.n, self.unit, self.fleet = n_targets, unit, fleet
+        self.needed = int(fleet.least > 1)  # one route is always needed, and needs no row
         self._highs = highs = highspy.Highs()
-        for name, value in (("output_flag", False), ("threads", 1), ("random_seed", 0)):
+        # New columns leave a basis primal feasible; HiGHS's dual simplex was seen to go round for ever here.
+        for name, value in (("output_flag", False), ("threads", 1), ("random_seed", 0), ("simplex_strategy", _PRIMAL)):
             highs.setOptionValue(name, value)
         index, none = np.zeros(0, np.int32), np.zeros(0)
         for _ in range(n_targets):
             highs.addRow(1.0, 1.0, 0, index, none)
-        highs.addRow(-highspy.kHighsInf, float(n_agents), 0, index, none)
+        for count in fleet.counts:
+            highs.addRow(-highspy.kHighsInf, float(count), 0, index, none)
+        for _ in range(self.needed):
+            highs.addRow(float(fleet.least), highspy.kHighsInf, 0, index, none)
         for _ in range(n_cuts):
             highs.addRow(-highspy.kHighsInf, 1.0, 0, index, none)
         for sign in (1.0, -1.0):
             for u in range(n_targets):
                 highs.addCol(0.0, 0.0, highspy.kHighsInf, 1, np.array([u], np.int32), np.array([sign]))
+        for _ in range(self.needed):
+            highs.addCol(_NEEDED, 0.0, highspy.kHighsInf, 1, np.array([self._fixed - 1], np.int32), np.ones(1))
 
-    def add(self, visits, lengths, paid):
-        """Add columns: visits (J, n), lengths (J,), paid (J, C) how often each pays each cut."""
-        rows = np.hstack([visits, np.ones((len(visits), 1)), paid])
+    @property
+    def _fixed(self):
+        """How many rows there are beside those of cuts."""
+        return self.n + len(self.fleet.counts) + self.needed
+
+    def add(self, visits, agents, lengths, paid):
+        """Add columns: visits (J, n), agents (J,) layers, lengths (J,), paid (J, C) how often each pays each cut."""
+        of_layer = np.arange(len(self.fleet.counts)) == np.asarray(agents, dtype=int)[:, None]
+        rows = np.hstack([visits, of_layer, np.ones((len(visits), self.needed)), paid])
         where, index = np.nonzero(rows)
         starts = np.searchsorted(where, np.arange(len(rows)))
         none, free = np.zeros(len(rows)), np.full(len(rows), highspy.kHighsInf)
@@ -52,7 +73,7 @@ class RestrictedMaster:
 
     def keep(self, which):
         """Drop all columns but those marked in which (J,)."""
-        drop = np.flatnonzero(~which) + 2 * self.n
+        drop = np.flatnonzero(~which) + 2 * self.n + self.needed
         self._highs.deleteCols(len(drop), drop.astype(np.int32))
 
     def solve(self, centre, box, time_limit):
@@ -68,4 +89,6 @@ class RestrictedMaster:
         answer = highs.getSolution()
         dual, level = np.array(answer.row_dual) * self.unit, np.array(answer.col_value)
         value = highs.getInfo().objective_function_value * self.unit
-        return Duals(value, dual[:n], np.minimum(dual[n + 1 :], 0.0), level[2 * n :], level[: 2 * n].sum())
+        return Duals(
+            value, dual[:n], np.minimum(dual[self._fixed :], 0.0), level[2 * n + self.needed :], level[: 2 * n].sum()
+        )

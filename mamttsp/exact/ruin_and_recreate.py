@@ -8,10 +8,10 @@ segments.
 import math
 
 import numpy as np
-from numba import njit
 
+from ..compiled import compiled
 from ..motion import earliest_meeting
-from .grid import Values, evaluate, grid_points, insertion, make_network, trace
+from .grid import Values, evaluate, grid_points, insertion, make_networks, of_layer, trace
 
 _BLINK = 0.01
 #: by how many steps of the grid a flight may come late, in turn: with 1.0 the grid holds all routes, and proposes many
@@ -24,21 +24,26 @@ _REMOVED, _STRING = 8, 10
 class Annealing:
     """Ruin and recreate by simulated annealing, from nothing or on from where it stands. Deterministic for a seed."""
 
-    def __init__(self, graph, targets, n_agents, seed=0):
-        self.m, self.n, self.seed, self.penalty = n_agents, len(targets), seed, 4.0 * graph.size
+    def __init__(self, graph, targets, fleet, seed=0):
+        self.m, self.n, self.seed, self.penalty = fleet.n_agents, len(targets), seed, 4.0 * graph.size
         self.node, time, start, step = grid_points(graph, targets)
-        self.networks = [make_network(graph, self.node, time, start, share * step) for share in _SLACKS]
+        networks = [make_networks(graph, self.node, time, start, share * step) for share in _SLACKS]
+        self.networks = [(by_layer, _closeness(by_layer.near)) for by_layer in networks]
         segment = np.c_[graph.p_lo, graph.v, graph.t_lo, graph.t_hi][self.node]
-        self.motion = segment, graph.p_lo[0].copy(), graph.max_speed, graph.horizon
-        self.routes, self.length = np.zeros((n_agents, self.n), np.int64), np.zeros(n_agents, np.int64)
+        self.motion = segment, graph.p_lo[graph.starts], graph.p_lo[graph.ends], graph.speeds, graph.horizon
+        self.layer = np.repeat(np.arange(len(fleet.counts)), fleet.counts)
+        self.loads = self.layer, graph.demands[list(targets)], graph.room
+        self.first_node = graph.starts[self.layer]
+        self.routes, self.length = np.zeros((self.m, self.n), np.int64), np.zeros(self.m, np.int64)
 
     def run(self, iterations, warm, cool):
         """Anneal on, from heat `warm` to `cool` (1 to 0); return routes (tuples of segments) that serve all targets
         and can be flown, or None while there are none."""
         self.seed += 1
         self.routes, self.length, length, points = ruin_and_recreate(
-            self.networks[self.seed % len(_SLACKS)],
+            *self.networks[self.seed % len(_SLACKS)],
             *self.motion,
+            *self.loads,
             self.routes,
             self.length,
             self.penalty,
@@ -49,33 +54,44 @@ class Annealing:
         )
         if length.sum() < self.n:
             return None
-        return [tuple(int(self.node[g]) for g in points[k, : length[k]]) for k in range(self.m) if length[k]]
+        nodes = self.node[points] + self.first_node[:, None]
+        return [tuple(nodes[k, : length[k]].tolist()) for k in range(self.m) if length[k]]
 
 
-@njit(cache=True)
-def _place(w, routes, length, cost, network, values, arrive, leave):
+@compiled
+def _place(w, routes, length, cost, networks, values, layer, demand, room, arrive, leave):
     """Return (k, i): the cheapest place to insert w, before stop i of route k; k = -1 if there is none."""
-    best, best_k, best_i, seen_empty = np.inf, -1, -1, False
+    best, best_k, best_i, seen_empty = np.inf, -1, -1, -1
     for k in range(len(length)):
         if length[k] == 0:
-            if seen_empty:
+            if seen_empty == layer[k]:  # one like it
                 continue
-            seen_empty = True
+            seen_empty = layer[k]
+        if demand[w] + _load(routes[k], length[k], demand) > room[layer[k]]:
+            continue
         for i in range(length[k] + 1):
             if np.random.random() < _BLINK:
                 continue
-            total = insertion(w, routes[k], length[k], i, network, values[k], arrive, leave, best + cost[k])
+            total = insertion(w, routes[k], length[k], i, networks[k], values[k], arrive, leave, best + cost[k])
             if total - cost[k] < best:
                 best, best_k, best_i = total - cost[k], k, i
     return best_k, best_i
 
 
-@njit(cache=True)
-def _insert_all(bank, routes, length, cost, network, values, arrive, leave):
+@compiled
+def _load(route, length, demand):
+    total = 0.0
+    for i in range(length):
+        total += demand[route[i]]
+    return total
+
+
+@compiled
+def _insert_all(bank, routes, length, cost, networks, values, layer, demand, room, arrive, leave):
     """Insert each target of the bank at its cheapest place; return those for which there is none."""
     left = 0
     for w in bank:
-        k, i = _place(w, routes, length, cost, network, values, arrive, leave)
+        k, i = _place(w, routes, length, cost, networks, values, layer, demand, room, arrive, leave)
         if k < 0:
             bank[left] = w
             left += 1
@@ -84,82 +100,92 @@ def _insert_all(bank, routes, length, cost, network, values, arrive, leave):
             routes[k, j] = routes[k, j - 1]
         routes[k, i] = w
         length[k] += 1
-        cost[k] = evaluate(routes[k], length[k], network, values[k])
+        cost[k] = evaluate(routes[k], length[k], networks[k], values[k])
     return bank[:left].copy()
 
 
-@njit(cache=True)
 def _closeness(near):
-    """Return (n, n): each target and behind it the others, closest first; near: (n, n) lengths of shortest flights."""
-    order = np.empty(near.shape, np.int64)
-    for u in range(len(near)):
-        close = np.minimum(near[u], near[:, u])
-        close[u] = -1.0
-        order[u] = np.argsort(close)
-    return order
+    """Return (n, n): each target and behind it the others, closest first; near: (K, n, n) shortest flights' lengths."""
+    close = np.minimum(near, near.transpose(0, 2, 1)).min(axis=0)
+    np.fill_diagonal(close, -1.0)
+    return np.argsort(close, axis=1, kind="stable")
 
 
-@njit(cache=True)
+@compiled
 def _remove(seed, order, routes, length, absent):
     """Take strings of neighbouring stops out of routes that come close to the seed target; return their targets,
     together with `absent`, shuffled."""
     m, n = routes.shape
     out = np.zeros(n, np.bool_)
-    out[absent] = True
+    for w in absent:
+        out[w] = True
     whole = np.ones(m, np.bool_)
     longest = max(1.0, min(_STRING, (n - len(absent)) / m))
     strings = int(np.random.uniform(1.0, 4.0 * _REMOVED / (1.0 + longest)))
     for w in order[seed]:
         for k in range(m):
-            i = np.flatnonzero(routes[k, : length[k]] == w)
-            if whole[k] and len(i) > 0 and strings > 0:
+            i = 0
+            while i < length[k] and routes[k, i] != w:
+                i += 1
+            if whole[k] and i < length[k] and strings > 0:
                 size = int(np.random.uniform(1.0, min(longest, length[k]) + 1.0))
-                first = np.random.randint(max(0, i[0] - size + 1), min(i[0], length[k] - size) + 1)
-                out[routes[k, first : first + size]] = True
-                routes[k, first : length[k] - size] = routes[k, first + size : length[k]].copy()
+                first = np.random.randint(max(0, i - size + 1), min(i, length[k] - size) + 1)
                 length[k] -= size
+                for j in range(first, first + size):
+                    out[routes[k, j]] = True
+                for j in range(first, length[k]):
+                    routes[k, j] = routes[k, j + size]
                 whole[k], strings = False, strings - 1
     bank = np.flatnonzero(out)
     np.random.shuffle(bank)
     return bank
 
 
-@njit(cache=True)
-def _flyable(points, length, segment, depot, speed, horizon):
-    """Tell whether the segments of the points can be met in this order, and the depot by the horizon."""
+@compiled
+def _flyable(points, length, segment, depot, end, speed, horizon):
+    """Tell whether the segments of the points can be met in this order from the depot, and the end by the horizon."""
     px, py, t = depot[0], depot[1], 0.0
     for i in range(length):
-        x, y, vx, vy, start, end = segment[points[i]]
-        t = earliest_meeting(px, py, t, x, y, start, vx, vy, start, end, speed)
+        x, y, vx, vy, opens, closes = segment[points[i]]
+        t = earliest_meeting(px, py, t, x, y, opens, vx, vy, opens, closes, speed)
         if t == np.inf:
             return False
-        px, py = x + (t - start) * vx, y + (t - start) * vy
-    return earliest_meeting(px, py, t, depot[0], depot[1], 0.0, 0.0, 0.0, 0.0, horizon, speed) < np.inf
+        px, py = x + (t - opens) * vx, y + (t - opens) * vy
+    return earliest_meeting(px, py, t, end[0], end[1], 0.0, 0.0, 0.0, 0.0, horizon, speed) < np.inf
 
 
-@njit(cache=True)
+@compiled
 def _absent(routes, length):
     """Return the targets on no route."""
-    here = np.zeros(routes.shape[1], np.bool_)
+    absent = np.ones(routes.shape[1], np.bool_)
     for k in range(len(length)):
-        here[routes[k, : length[k]]] = True
-    return np.flatnonzero(~here)
+        for i in range(length[k]):
+            absent[routes[k, i]] = False
+    return np.flatnonzero(absent)
 
 
-@njit(cache=True)
-def ruin_and_recreate(network, segment, depot, speed, horizon, routes, length, penalty, iterations, warm, cool, seed):
+@compiled
+def ruin_and_recreate(
+    by_layer, order, segment, depots, ends, speeds, horizon, layer, demand, room, routes, length, penalty, iterations,
+    warm, cool, seed,
+):  # fmt: skip
     """Return (routes (m, n), length (m,), best_length (m,), points (m, n)): where annealing from the given routes ends,
-    and the lengths and grid points of the best routes on the way; `penalty` for each target left out. segment: (P, 6)
-    motion of each point's segment."""
+    and the lengths and grid points of the best routes on the way; `penalty` for each target left out.
+
+    by_layer: see `grid.make_networks`; order: see `_closeness`; segment: (P, 6) motion of each point's segment; depots,
+    ends, speeds, room: of each layer; layer: (m,) of each route, in order; demand: (n,).
+    """
     np.random.seed(seed)
     m, n = routes.shape
-    widest = np.max(network.start[1:] - network.start[:-1])
+    widest = 0
+    for u in range(n):
+        widest = max(widest, by_layer.start[u + 1] - by_layer.start[u])
+    networks = [of_layer(by_layer, k) for k in layer]
     values = [Values(np.empty((n, widest)), np.empty((n, widest)), np.empty(n), np.empty(n)) for _ in range(m)]
     arrive, leave = np.empty(widest), np.empty(widest)
-    order = _closeness(network.near)
     routes, length, cost = routes.copy(), length.copy(), np.zeros(m)
     for k in range(m):
-        cost[k] = evaluate(routes[k], length[k], network, values[k])
+        cost[k] = evaluate(routes[k], length[k], networks[k], values[k])
         if cost[k] == np.inf:  # found on a looser grid
             length[k], cost[k] = 0, 0.0
     absent = _absent(routes, length)
@@ -172,16 +198,19 @@ def ruin_and_recreate(network, segment, depot, speed, horizon, routes, length, p
         bank = _remove(np.random.randint(n), order, routes, length, absent)
         for k in range(m):
             if length[k] != kept_length[k]:
-                cost[k] = evaluate(routes[k], length[k], network, values[k])
-        absent = _insert_all(bank, routes, length, cost, network, values, arrive, leave)
+                cost[k] = evaluate(routes[k], length[k], networks[k], values[k])
+        absent = _insert_all(bank, routes, length, cost, networks, values, layer, demand, room, arrive, leave)
         total = cost.sum() + penalty * len(absent)
         heat = 0.02 * best * (warm + (cool - warm) * it / iterations) ** 2
         accepted = total < now - heat * math.log(np.random.random() + 1e-300)
         for k in range(m):
-            changed[k] = length[k] != kept_length[k] or np.any(routes[k, : length[k]] != kept_routes[k, : length[k]])
+            changed[k] = length[k] != kept_length[k]
+            for i in range(length[k]):
+                changed[k] = changed[k] or routes[k, i] != kept_routes[k, i]
             if accepted and changed[k]:
-                trace(routes[k], length[k], network, values[k], points[k])
-                accepted = _flyable(points[k], length[k], segment, depot, speed, horizon)
+                trace(routes[k], length[k], networks[k], values[k], points[k])
+                own = layer[k]
+                accepted = _flyable(points[k], length[k], segment, depots[own], ends[own], speeds[own], horizon)
         if accepted:
             now = total
             if total < best:
@@ -190,8 +219,8 @@ def ruin_and_recreate(network, segment, depot, speed, horizon, routes, length, p
         routes, length, cost, absent = kept_routes, kept_length, kept_cost, kept_absent
         for k in range(m):
             if changed[k]:
-                evaluate(routes[k], length[k], network, values[k])
+                evaluate(routes[k], length[k], networks[k], values[k])
     for k in range(m):
-        evaluate(best_routes[k], best_length[k], network, values[k])
-        trace(best_routes[k], best_length[k], network, values[k], points[k])
+        evaluate(best_routes[k], best_length[k], networks[k], values[k])
+        trace(best_routes[k], best_length[k], networks[k], values[k], points[k])
     return routes, length, best_length, points

@@ -6,6 +6,7 @@ See README.md for a round as a diagram.
 import numpy as np
 
 from ..options import Progress
+from ..timing import leg_lengths
 from .column_generation import ColumnGeneration
 from .cuts import MOST_CUTS, separate
 from .enumeration import Enumeration
@@ -22,11 +23,11 @@ class Search:
     annealing: looks for tours before each round; start: routes of segments to begin with, or none.
     """
 
-    def __init__(self, graph, n_agents, gap, clock, parameters, annealing, progress=None, start=()):
-        self.graph, self.n, self.m = graph, graph.n_targets, n_agents
+    def __init__(self, graph, fleet, gap, clock, parameters, annealing, progress=None, start=()):
+        self.graph, self.n, self.fleet, self.m = graph, graph.n_targets, fleet, fleet.n_agents
         self.clock, self.parameters, self.progress, self.annealing = clock, parameters, progress, annealing
-        self.standing = Standing(graph, n_agents, gap)
-        self.labels, self.columns, self.exhausted = 0, 0, False
+        self.standing = Standing(graph, fleet, gap)
+        self.labels, self.columns, self.exhausted, self.enumerated, self.found = 0, 0, False, False, False
         self.unit, self.most_pieces = graph.size or 1.0, parameters.most_pieces
         self.most_labels, self.means, self.first, self.fewer_arcs = parameters.first_labels, 0, True, np.inf
         if start:
@@ -43,31 +44,42 @@ class Search:
     def over(self):
         return self.standing.closed() or self.exhausted or self.clock.out()
 
+    def near(self):
+        """Tell whether the gap is small."""
+        return self.standing.bound >= (1.0 - self.parameters.near) * self.standing.limit
+
     def run(self):
         """Run until the gap is closed, infeasibility is proved or time is up."""
         self.search_tours(self.parameters.annealing)
-        windows = sum(self.graph.t_hi[i] - self.graph.t_lo[i] for i in self.graph.V_seg)
-        self.width = max(windows / (self.n * self.parameters.pieces_each), 1e-6 * self.graph.horizon)
+        self.width = max(self.first_width(), 1e-6 * self.graph.horizon)
         network = first_network(self.graph, even_cuts(self.graph, self.graph.V_seg, self.width), range(self.n))
         self.generation = ColumnGeneration(
-            network, self.n, self.m, self.first_prices(), self.parameters, self.unit
+            network, self.n, self.fleet, self.first_prices(), self.parameters, self.unit
         )  # fmt: skip
         while not self.over():
             self.round()
+
+    def first_width(self):
+        """Return the length of the first pieces in s: a share of the time there is for each target, or of its windows
+        in the mean if that is less, but no more pieces than a few."""
+        graph, p = self.graph, self.parameters
+        start, end = graph.t_lo[graph.V_seg], graph.t_hi[graph.V_seg]
+        windows, of_targets = (end - start).sum(), self.n * graph.n_layers
+        width = min(p.piece * (end.max() - start.min()) / self.n, windows / (of_targets * p.pieces_each))
+        return max(width, windows / p.first_pieces)
 
     def first_prices(self):
         """Return (n,) half of the legs to and from each target in the incumbent, damped; even prices without one."""
         pi = np.full(self.n, self.unit / self.n)
         for route in self.incumbent.routes:
             _, times, _ = self.incumbent.timed(route)
-            stops = [self.graph.p_lo[0], *(self.graph.position(i, t) for i, t in zip(route, times)), self.graph.p_lo[0]]
-            legs = np.linalg.norm(np.diff(stops, axis=0), axis=1)
+            legs = leg_lengths(self.graph, route, times)
             pi[self.graph.tau[list(route)]] = 0.25 * (legs[:-1] + legs[1:])
         return pi
 
     def search_tours(self, looks):
-        """Look for tours by ruin and recreate, so many looks for each target squared, then among all their routes."""
-        looks = max(1, round(self.n**2 * looks))
+        """Look for tours by ruin and recreate, so many looks for each target, then among all their routes."""
+        looks, before = max(1, round(self.n * looks)), self.incumbent.objective
         for look in range(looks):
             if self.clock.out():
                 break
@@ -76,6 +88,7 @@ class Search:
             ):
                 self.incumbent.offer(routes)
         self.recombine()
+        self.found = self.incumbent.objective < before
         self.report("heuristic")
 
     def recombine(self):
@@ -86,11 +99,13 @@ class Search:
         """Raise the bound over the present pieces, drop what is beyond the limit, and try to enumerate the rest."""
         generation, before = self.generation, self.standing.bound
         generation.offer_incumbent(self.incumbent)
-        generation.run(self.standing.limit, self.clock, self.on_evaluation)
+        generation.run(self.standing.limit, self.clock, self.standing.raise_bound)
         self.report("prices")
         if self.over():
             return
         self.time_columns()
+        if not self.near() and (self.first or self.found):
+            self.search_tours(self.parameters.annealing_later)
         limit = self.standing.limit
         network = generation.best.eliminated(limit, generation.tolerance)
         generation.narrowed(network)
@@ -107,9 +122,6 @@ class Search:
             self.refine(routes)
         else:
             self.strengthen(self.standing.bound - before >= self.parameters.worthwhile * (limit - before))
-
-    def on_evaluation(self, evaluation):
-        self.standing.raise_bound(evaluation.bound)
 
     def time_columns(self):
         """Time the elementary columns of least reduced cost, and choose among all routes known."""
@@ -131,9 +143,7 @@ class Search:
         if self.means <= 1 and self.m > 1 and self.add_cuts():
             self.means = 1
             return
-        self.search_tours(self.parameters.annealing_later)
-        if not self.over():
-            self.refine()
+        self.refine()
 
     def add_cuts(self):
         generation = self.generation
@@ -162,8 +172,8 @@ class Search:
             self.report("labels")
             return None
         self.columns += len(routes.cost)
-        sets = Sets(routes.visited, routes.cost, self.n)
-        relaxed = relax_choice(sets.members, sets.cost, self.m, limit, self.unit, self.clock.seconds)
+        sets = Sets(routes.visited, routes.agents, routes.cost, self.n)
+        relaxed = relax_choice(sets.members, sets.agents, sets.cost, self.fleet, limit, self.unit, self.clock.seconds)
         if relaxed is None:
             return None
         self.standing.raise_bound(min(relaxed.bound, limit))
@@ -172,13 +182,16 @@ class Search:
         self.time_routes(routes, np.flatnonzero(alive))
         routes.lead(alive)
         sets.keep(relaxed.slack >= 0.0)
-        if not self.over() and 0 < len(sets.cost) <= self.parameters.few_sets:
+        # Far from the limit, shorter pieces raise all bounds at once; but that is tried only once.
+        ready = self.m == 1 or self.enumerated or self.near()
+        self.enumerated = True
+        if not self.over() and ready and 0 < len(sets.cost) <= self.parameters.few_sets:
             self.settle(sets, routes)
         return routes
 
     def time_routes(self, routes, columns):
         """Time the columns of least reduced cost, and choose among all routes known."""
-        order = columns[np.argsort(routes.reduced[columns], kind="stable")]
+        order = columns[np.argsort(-routes.spare[columns], kind="stable")]
         for column in order[: self.parameters.timed * self.n]:
             if self.clock.out():
                 return
@@ -210,7 +223,7 @@ class Search:
             self.report("settle")
 
         done = settle(
-            sets, self.m, lambda: self.standing.limit, self.unit, settle_set, on_bound, self.clock
+            sets, self.fleet, lambda: self.standing.limit, self.unit, settle_set, on_bound, self.clock
         )  # fmt: skip
         self.recombine()
         self.exhausted = done and not self.standing.closed()

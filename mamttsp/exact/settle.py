@@ -13,11 +13,15 @@ from .partition import choose, relax_choice
 
 
 class Sets:
-    """The competing sets of targets of an enumeration's columns. members: (n, J) sparse 0/1; cost: (J,) lower bounds;
-    settled: (J,) bool; columns: of each set the columns that it comes from."""
+    """The competing sets of targets of an enumeration's columns, the same set with other agents another one.
 
-    def __init__(self, visited, cost, n_targets):
-        unique, of_column = np.unique(visited, axis=0, return_inverse=True)
+    members: (n, J) sparse 0/1; agents: (J,) layers of the graph; cost: (J,) lower bounds; settled: (J,) bool; columns:
+    of each set the columns that it comes from.
+    """
+
+    def __init__(self, visited, agents, cost, n_targets):
+        key = np.c_[visited, agents.astype(np.uint64)]
+        unique, of_column = np.unique(key, axis=0, return_inverse=True)
         order = np.argsort(of_column, kind="stable")
         ends = np.searchsorted(of_column[order], np.arange(len(unique) + 1))
         self.columns = [order[start:end] for start, end in zip(ends[:-1], ends[1:])]
@@ -25,15 +29,16 @@ class Sets:
         self.cost = np.full(len(unique), np.inf)
         np.minimum.at(self.cost, of_column, cost)
         self.settled = np.zeros(len(unique), dtype=bool)
-        self.members = membership(unique, n_targets)
+        self.members, self.agents = membership(unique, n_targets), unique[:, -1].astype(int)
 
     def keep(self, which):
         """Drop all other sets."""
-        self.cost, self.settled, self.members = self.cost[which], self.settled[which], self.members[:, which]
+        self.cost, self.settled, self.agents = self.cost[which], self.settled[which], self.agents[which]
+        self.members = self.members[:, which]
         self.columns = [columns for columns, kept in zip(self.columns, which) if kept]
 
 
-def settle(sets, n_agents, limit, unit, settle_set, on_bound, clock):
+def settle(sets, fleet, limit, unit, settle_set, on_bound, clock):
     """Settle sets until nothing below the limit is left, the choice is all settled, or time is up; return whether
     nothing is left to do.
 
@@ -41,16 +46,18 @@ def settle(sets, n_agents, limit, unit, settle_set, on_bound, clock):
     cost of the set's routes below the limit, infinite if there is none, None if that cannot be told; on_bound(bound):
     told each bound.
     """
+    rows = None
     while not clock.out():
-        relaxed = relax_choice(sets.members, sets.cost, n_agents, limit(), unit, clock.seconds)
+        relaxed = relax_choice(sets.members, sets.agents, sets.cost, fleet, limit(), unit, clock.seconds, rows)
         if relaxed is None:
             return False
+        rows = relaxed.rows
         bound, alive = relaxed.bound, relaxed.slack >= 0.0
         alive[relaxed.support] = True
         competing = (np.cumsum(alive) - 1)[relaxed.support]
         sets.keep(alive)
         if bound < limit() and sets.settled[competing].all():
-            bound, competing = choose(sets.members, sets.cost, n_agents, limit(), unit, clock.seconds)
+            bound, competing = choose(sets.members, sets.agents, sets.cost, fleet, limit(), unit, clock.seconds)
         on_bound(min(bound, limit()))
         if bound >= limit() or competing is None:
             return bound >= limit()

@@ -14,13 +14,13 @@ _NEGLIGIBLE = 1e-8
 class Standing:
     """incumbent: the best tours; bound: proved lower bound; both hold at every moment. gap: relative gap to close.
 
-    No agent flies further than v_max T, so without tours no solution is longer than m v_max T; a bound that reaches
-    this proves that there is none.
+    No agent flies further than v_max T, so no solution is longer than the sum of that; without tours a bound that
+    reaches it proves that there is none.
     """
 
-    def __init__(self, graph, n_agents, gap):
-        self.incumbent, self.bound, self._gap = Incumbent(graph, n_agents), 0.0, gap
-        self._longest = n_agents * graph.max_speed * graph.horizon * (1.0 + 1e-6)
+    def __init__(self, graph, fleet, gap):
+        self.incumbent, self.bound, self._gap = Incumbent(graph, fleet), 0.0, gap
+        self._longest = self.incumbent.longest * (1.0 + 1e-6)
         self._negligible = _NEGLIGIBLE * graph.size
 
     @property

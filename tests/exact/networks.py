@@ -5,17 +5,38 @@ import math
 
 import numpy as np
 
-from mamttsp import build_graph, generate
+from mamttsp import Agents, build_graph, generate
 from mamttsp.exact.cuts import Cuts
 from mamttsp.exact.evaluation import first_network
+from mamttsp.exact.fleet import Fleet
 from mamttsp.exact.pieces import even_cuts
 from mamttsp.motion import earliest_meeting
-from mamttsp.timing import best_times, earliest_times
+from mamttsp.timing import best_times, earliest_times, leg_lengths
 
 
 def small(seed, n=4, window=40):
     """Return the graph of a generated instance."""
     return build_graph(generate(n, window, seed=seed))
+
+
+def unlike(seed, n=4, window=40):
+    """Return the graph of a generated instance with two types of agents, their capacities too small for all demands."""
+    rng = np.random.default_rng(seed)
+    demands = rng.uniform(1, 2, n)
+    depots = rng.uniform(-40, 40, (3, 2))
+    one = Agents(1, depots[0], rng.uniform(3, 5), capacity=demands.sum() * rng.uniform(0.6, 0.9))
+    others = Agents(2, depots[1], rng.uniform(3, 6), end=depots[2], capacity=demands.sum() * rng.uniform(0.5, 0.9))
+    return build_graph(generate(n, window, seed=seed, agents=[one, others], demands=demands))
+
+
+def alike(n_agents):
+    """Return the Fleet of so many agents of one type."""
+    return Fleet(np.array([n_agents]), 1)
+
+
+def load(graph, route):
+    """Return the demand of a route of segments."""
+    return graph.demands[graph.tau[list(route)]].sum()
 
 
 def network_of(graph, width):
@@ -37,27 +58,33 @@ def random_cuts(rng, n, count=3):
 
 
 def flyable_routes(graph):
-    """Return all routes of segments that an agent can fly."""
-    routes, layer = [], [()]
+    """Return all routes of segments that an agent of their layer can fly, and carry."""
+    routes, latest = [], [()]
     for _ in range(graph.n_targets):
-        longer = [(*route, i) for route in layer for i in graph.V_seg if graph.tau[i] not in graph.tau[list(route)]]
-        layer = [route for route in longer if earliest_times(graph, route) is not None]
-        routes += layer
+        longer = [(*route, i) for route in latest for i in graph.V_seg if _can_follow(graph, route, i)]
+        latest = [route for route in longer if earliest_times(graph, route) is not None]
+        routes += latest
     return routes
+
+
+def _can_follow(graph, route, i):
+    own = not route or graph.layer[i] == graph.layer[route[0]]
+    return own and graph.tau[i] not in graph.tau[list(route)] and load(graph, (*route, i)) <= graph.room[graph.layer[i]]
 
 
 def random_times(graph, route, rng):
     """Return random visit times of a route that an agent can fly, or None if the last draw came too late."""
-    place, now, times = graph.p_lo[graph.s], 0.0, []
+    layer = graph.layer[route[0]]
+    place, now, times, speed = graph.p_lo[graph.starts[layer]], 0.0, [], graph.speeds[layer]
     for i in route:
         p, v, lo, hi = graph.p_lo[i], graph.v[i], graph.t_lo[i], graph.t_hi[i]
-        early = earliest_meeting(*place, now, *p, lo, *v, lo, hi, graph.max_speed)
+        early = earliest_meeting(*place, now, *p, lo, *v, lo, hi, speed)
         if math.isinf(early):
             return None
         now = early + (hi - early) * rng.choice([0.0, rng.random() ** 4, rng.random()])
         place = graph.position(i, now)
         times.append(now)
-    home = now + np.linalg.norm(place - graph.p_lo[graph.s]) / graph.max_speed
+    home = now + np.linalg.norm(place - graph.p_lo[graph.ends[layer]]) / speed
     return np.array(times) if home <= graph.horizon else None
 
 
@@ -67,9 +94,7 @@ def timed_routes(graph, rng, draws=3):
         drawn = [random_times(graph, route, rng) for _ in range(draws)] + [best_times(graph, list(route))[1]]
         for times in drawn:
             if times is not None:
-                depot = graph.p_lo[graph.s]
-                stops = [depot, *(graph.position(i, t) for i, t in zip(route, times)), depot]
-                yield route, times, np.linalg.norm(np.diff(stops, axis=0), axis=1)
+                yield route, times, leg_lengths(graph, route, times)
 
 
 def pieces_at(pieces, segment, time):
@@ -93,17 +118,18 @@ def in_full(cuts):
     return Cuts(cuts.rows, np.ones_like(cuts.memory), cuts.sigma)
 
 
-def best_solution(graph, n_agents):
+def best_solution(graph, fleet):
     """Return (length, routes) of a best solution by enumeration, an infinite length without one."""
-    shortest = {}
+    shortest = [{} for _ in fleet.counts]
     for route in flyable_routes(graph):
         served, found = frozenset(graph.tau[list(route)].tolist()), best_times(graph, list(route))[0]
-        if found < shortest.get(served, (math.inf,))[0]:
-            shortest[served] = found, route
+        of_layer = shortest[graph.layer[route[0]]]
+        if found < of_layer.get(served, (math.inf,))[0]:
+            of_layer[served] = found, route
     best = {frozenset(): (0.0, ())}
-    for _ in range(n_agents):
+    for k in np.repeat(np.arange(len(fleet.counts)), fleet.counts):
         longer = dict(best)
-        for (done, (length, routes)), (served, (own, route)) in itertools.product(best.items(), shortest.items()):
+        for (done, (length, routes)), (served, (own, route)) in itertools.product(best.items(), shortest[k].items()):
             if not done & served and length + own < longer.get(done | served, (math.inf,))[0]:
                 longer[done | served] = length + own, (*routes, route)
         best = longer

@@ -8,12 +8,17 @@ import pytest
 from mamttsp.exact import ngsets
 from mamttsp.exact.column_generation import ColumnGeneration
 from mamttsp.exact.evaluation import evaluate
+from mamttsp.exact.fleet import Fleet
 from mamttsp.exact.parameters import Parameters
 from mamttsp.options import Watch
 from mamttsp.timing import best_times
-from tests.exact.networks import best_solution, network_of, pieces_at, random_cuts, random_sets, small
+from tests.exact.networks import alike, best_solution, network_of, pieces_at, random_cuts, random_sets, small, unlike
 
-CASES = [(seed, m) for seed in range(6) for m in (1, 2, 3)]
+CASES = [(seed, small(seed), alike(m)) for seed in range(6) for m in (1, 2, 3)]
+CASES += [(seed, graph, Fleet.of(graph)) for seed, graph in enumerate(map(unlike, range(6)))]
+every_case = pytest.mark.parametrize(
+    "seed, graph, fleet", CASES, ids=[f"{seed}-{fleet.counts}" for seed, _, fleet in CASES]
+)
 
 
 def _assert_flown(network, graph, routes):
@@ -27,24 +32,23 @@ def _assert_flown(network, graph, routes):
         assert any(network.ends[way[-1]] for way in ways), route
 
 
-@pytest.mark.parametrize("seed, n_agents", CASES)
-def test_at_any_prices_an_optimal_solution_stays(seed, n_agents):
-    rng, graph = np.random.default_rng(seed), small(seed)
-    length, routes = best_solution(graph, n_agents)
+@every_case
+def test_at_any_prices_an_optimal_solution_stays(seed, graph, fleet):
+    rng = np.random.default_rng(seed)
+    length, routes = best_solution(graph, fleet)
     network, n = network_of(graph, 6.0), graph.n_targets
     for share in (0.2, 0.6, 1.0):
         pi = rng.uniform(1 - share, 1 + share, n) * length / n
         cuts, N = random_cuts(rng, n, 2), random_sets(rng, n)
-        evaluation = evaluate(network, ngsets.as_words(N), pi, cuts, n_agents, 0.0)
+        evaluation = evaluate(network, ngsets.as_words(N), pi, cuts, fleet, 0.0)
         _assert_flown(evaluation.eliminated(length * (1 + 1e-7), 0.0), graph, routes)
 
 
-@pytest.mark.parametrize("seed, n_agents", CASES)
-def test_at_good_prices_little_else_stays(seed, n_agents):
-    graph = small(seed)
-    length, routes = best_solution(graph, n_agents)
+@every_case
+def test_at_good_prices_little_else_stays(seed, graph, fleet):
+    length, routes = best_solution(graph, fleet)
     network, n = network_of(graph, 3.0), graph.n_targets
-    generation = ColumnGeneration(network, n, n_agents, np.full(n, length / n), Parameters(), graph.size)
+    generation = ColumnGeneration(network, n, fleet, np.full(n, length / n), Parameters(), graph.size)
     with Watch() as clock:
         generation.run(length, clock, lambda evaluation: None)
     left = generation.best.eliminated(length * (1 + 1e-7), generation.tolerance)
@@ -52,16 +56,16 @@ def test_at_good_prices_little_else_stays(seed, n_agents):
     assert len(left.arcs.head) < 0.3 * len(network.arcs.head)
 
 
-@pytest.mark.parametrize("seed, n_agents", CASES)
-def test_elimination_round_after_round_keeps_it(seed, n_agents):
+@every_case
+def test_elimination_round_after_round_keeps_it(seed, graph, fleet):
     """What the first prices drop is missing from the evaluation at the second ones, and still nothing is lost."""
-    rng, graph = np.random.default_rng(seed), small(seed)
-    length, routes = best_solution(graph, n_agents)
+    rng = np.random.default_rng(seed)
+    length, routes = best_solution(graph, fleet)
     network, n = network_of(graph, 6.0), graph.n_targets
     sizes = [len(network.arcs.head)]
     for _ in range(4):
         pi = rng.uniform(0.5, 1.5, n) * length / n
-        evaluation = evaluate(network, ngsets.as_words(random_sets(rng, n)), pi, random_cuts(rng, n, 1), n_agents, 0.0)
+        evaluation = evaluate(network, ngsets.as_words(random_sets(rng, n)), pi, random_cuts(rng, n, 1), fleet, 0.0)
         network = evaluation.eliminated(length * (1 + 1e-7), 0.0)
         _assert_flown(network, graph, routes)
         sizes.append(len(network.arcs.head))

@@ -11,10 +11,12 @@ from hypothesis import strategies as st
 from mamttsp.exact import ngroutes, ngsets
 from mamttsp.exact.cuts import Cuts
 from mamttsp.exact.evaluation import evaluate
+from mamttsp.exact.fleet import Fleet
 from mamttsp.exact.legs import after_leg, before_leg, least, share_before, tangent
 from mamttsp.exact.sets import members
 from tests.exact.networks import (
     in_full,
+    load,
     network_of,
     pays,
     pieces_at,
@@ -22,10 +24,12 @@ from tests.exact.networks import (
     random_sets,
     small,
     timed_routes,
+    unlike,
 )  # fmt: skip
 
 SEEDS = range(6)
 WIDTHS = (50.0, 7.0)
+KINDS = (small, unlike)
 _NOISE = 1e-7
 
 
@@ -81,25 +85,27 @@ def _at(pieces, q, time, left, right):
 
 
 def _entries(lists, q):
-    """Return (memory as a set, parity, left, right) of each entry of a piece."""
+    """Return (memory as a set, parity, load, left, right) of each entry of a piece."""
     rows = range(lists.first[q], lists.first[q] + lists.count[q])
-    return [(set(members(lists.memory[x])), lists.parity[x], lists.left[x], lists.right[x]) for x in rows]
+    return [
+        (set(members(lists.memory[x])), lists.parity[x], lists.load[x], lists.left[x], lists.right[x]) for x in rows
+    ]
 
 
 def _values(side, prices):
-    return ngroutes.values_to_go(side, prices, 0.0, len(prices.pi))[0]
+    return ngroutes.values_to_go(side, prices, 0.0, len(prices.pi), 1 << 40)[0]
 
 
-@pytest.mark.parametrize("seed, width", list(itertools.product(SEEDS, WIDTHS)))
-def test_every_real_routes_rest_costs_at_least_its_value_to_go(seed, width):
-    rng, graph = np.random.default_rng(seed), small(seed)
+@pytest.mark.parametrize("seed, width, kind", list(itertools.product(SEEDS, WIDTHS, KINDS)))
+def test_every_real_routes_rest_costs_at_least_its_value_to_go(seed, width, kind):
+    rng, graph = np.random.default_rng(seed), kind(seed)
     network, n = network_of(graph, width), graph.n_targets
     pi, cuts = rng.uniform(0, 50, n), random_cuts(rng, n, seed % 3)
     prices = ngroutes.Prices(pi, ngsets.as_words(random_sets(rng, n)), *cuts.words)
     lists, checked = _values(network.ahead, prices), 0
     for route, times, legs in timed_routes(graph, rng):
         tau = graph.tau[list(route)].tolist()
-        whole = legs.sum() - pi[tau].sum() + pays(tau, in_full(cuts))
+        whole, room = legs.sum() - pi[tau].sum() + pays(tau, in_full(cuts)), graph.room[graph.layer[route[0]]]
         for k, (i, time) in enumerate(zip(route, times)):
             done = tau[: k + 1]
             so_far = legs[: k + 1].sum() - pi[done].sum() + pays(done, in_full(cuts))
@@ -108,30 +114,30 @@ def test_every_real_routes_rest_costs_at_least_its_value_to_go(seed, width):
                 fitting = [
                     _at(network.pieces, q, time, left, right)
                     + ngroutes.penalty(np.uint64(odd & int(parity)), cuts.words[2])
-                    for memory, parity, left, right in _entries(lists, q)
-                    if not memory & set(done)
+                    for memory, parity, carried, left, right in _entries(lists, q)
+                    if not memory & set(done) and load(graph, route[: k + 1]) + carried <= room
                 ]
                 assert so_far + min(fitting, default=math.inf) <= whole + _NOISE
                 checked += 1
     assert checked > 100
 
 
-@pytest.mark.parametrize("seed, width", list(itertools.product(SEEDS, WIDTHS)))
-def test_backward_in_time_every_real_routes_beginning_costs_at_least_its_value(seed, width):
-    rng, graph = np.random.default_rng(seed), small(seed)
+@pytest.mark.parametrize("seed, width, kind", list(itertools.product(SEEDS, WIDTHS, KINDS)))
+def test_backward_in_time_every_real_routes_beginning_costs_at_least_its_value(seed, width, kind):
+    rng, graph = np.random.default_rng(seed), kind(seed)
     network, n = network_of(graph, width), graph.n_targets
     pi = rng.uniform(0, 50, n)
     prices = ngroutes.Prices(pi, ngsets.as_words(random_sets(rng, n)), *Cuts.none(n).words)
     lists, checked = _values(network.back, prices), 0
     for route, times, legs in timed_routes(graph, rng):
-        tau = graph.tau[list(route)].tolist()
+        tau, room = graph.tau[list(route)].tolist(), graph.room[graph.layer[route[0]]]
         for k, (i, time) in enumerate(zip(route, times)):
             real = legs[: k + 1].sum() - pi[tau[:k]].sum()
             for q in pieces_at(network.pieces, i, time):
                 fitting = [
                     _at(network.pieces, q, time, right, left)  # time runs backward
-                    for memory, _, left, right in _entries(lists, q)
-                    if not memory & set(tau[k:])
+                    for memory, _, carried, left, right in _entries(lists, q)
+                    if not memory & set(tau[k:]) and carried + load(graph, route[k:]) <= room
                 ]
                 assert min(fitting, default=math.inf) <= real + _NOISE
                 checked += 1
@@ -143,47 +149,50 @@ def _legs(arcs):
 
 
 def _plain_ng_walks(network, N, longest):
-    """Yield all ng-walks of up to `longest` pieces, with Python's own sets."""
+    """Yield all ng-walks of up to `longest` pieces that an agent can carry, with Python's own sets."""
     pieces, after = network.pieces, {}
     for q, r in zip(network.arcs.tail.tolist(), network.arcs.head.tolist()):
         after.setdefault(q, []).append(r)
+    demand = pieces.demand[pieces.layer, pieces.target]
     stack = [((q,), {pieces.target[q]}) for q in range(len(pieces.a)) if pieces.first[q, 0] < math.inf]
     while stack:
         walk, memory = stack.pop()
         yield walk
         for r in after.get(walk[-1], []) if len(walk) < longest else []:
             u = pieces.target[r]
-            if u not in memory:
+            if u not in memory and demand[[*walk, r]].sum() <= pieces.room[pieces.layer[r]]:
                 stack.append(((*walk, r), {w for w in memory if N[u, w]} | {u}))
 
 
 def _cost_of_walk(network, legs, walk, pi, cuts):
     """Return the least reduced cost that the planes along a walk prove, infinite if it cannot end where it does."""
     pieces = network.pieces
-    left, right = pieces.last[walk[-1]]
+    (left, right), speed = pieces.last[walk[-1]], pieces.speed[pieces.layer[walk[0]]]
+    if left == math.inf:
+        return math.inf
     for q, r in reversed(list(itertools.pairwise(walk))):
         widths = pieces.b[q] - pieces.a[q], pieces.b[r] - pieces.a[r]
-        left, right = before_leg(*legs[q, r], left, right, *widths, pieces.a[r] - pieces.a[q], pieces.speed)
+        left, right = before_leg(*legs[q, r], left, right, *widths, pieces.a[r] - pieces.a[q], speed)
     q, targets = walk[0], pieces.target[list(walk)]
     share = share_before(pieces.ready[q], pieces.a[q], pieces.b[q] - pieces.a[q])
     value = least(pieces.first[q, 0] + left, pieces.first[q, 1] + right, share)
     return value - pi[targets].sum() + pays(targets, cuts)
 
 
-@pytest.mark.parametrize("seed", range(12))
-def test_the_cheapest_start_is_the_least_over_all_ng_walks(seed):
-    rng, graph = np.random.default_rng(seed), small(seed)
+@pytest.mark.parametrize("seed, kind", list(itertools.product(range(12), KINDS)))
+def test_the_cheapest_start_is_the_least_over_all_ng_walks(seed, kind):
+    rng, graph = np.random.default_rng(seed), kind(seed)
     network, n, longest = network_of(graph, 50.0), graph.n_targets, 6
     N, pi, cuts = random_sets(rng, n), rng.uniform(0, 40, n), random_cuts(rng, n, seed % 4)
     legs = _legs(network.arcs)
     expected = min(_cost_of_walk(network, legs, walk, pi, cuts) for walk in _plain_ng_walks(network, N, longest))
-    evaluation = evaluate(network, ngsets.as_words(N), pi, cuts, 1, 0.0)
-    assert evaluation.cheapest <= expected + _NOISE
+    evaluation = evaluate(network, ngsets.as_words(N), pi, cuts, Fleet.of(graph), 0.0)
+    assert evaluation.cheapest.min() <= expected + _NOISE
     q = int(np.argmin(evaluation.cost))
     route = ngroutes.trace(network.ahead, evaluation.prices, evaluation.lists, q, evaluation.entry[q], 3 * n)
     assert not ngsets.forbidden(network.pieces.target[route], N)
     if len(route) <= longest:
-        assert evaluation.cheapest == pytest.approx(expected, abs=_NOISE)
+        assert evaluation.cheapest.min() == pytest.approx(expected, abs=_NOISE)
         assert _cost_of_walk(network, legs, route.tolist(), pi, cuts) == pytest.approx(expected, abs=_NOISE)
 
 

@@ -7,25 +7,31 @@ import numpy as np
 import pytest
 from scipy import sparse
 
+from mamttsp.exact.fleet import Fleet
 from mamttsp.exact.partition import choose, relax_choice
+from tests.exact.networks import alike
 
-SEEDS = range(12)
+SEEDS = range(16)
 UNIT = 100.0
 
 
 def _random(seed):
-    """Return (members (n, J) bool, cost (J,), number of agents)."""
+    """Return (members (n, J) bool, agents (J,), cost (J,), fleet): of one layer, and of two where the seed is odd."""
     rng = np.random.default_rng(seed)
     members = rng.random((5, 14)) < 0.45
     members = np.unique(members[:, members.any(axis=0)], axis=1)
-    return members, rng.uniform(10, 60, members.shape[1]), int(rng.integers(1, 4))
+    J, K = members.shape[1], 1 + seed % 2
+    cost, counts, agents = rng.uniform(10, 60, J), rng.integers(1, 4, K), rng.integers(0, K, J)
+    return members, agents, cost, Fleet(counts, 1 + int(seed % 4 == 3))
 
 
-def _best(members, cost, n_agents, must=None):
-    """Return (least cost, columns) of at most n_agents columns that hold each target once, `must` among them."""
+def _best(members, agents, cost, fleet, must=None):
+    """Return (least cost, columns) of columns that the fleet permits and hold each target once, `must` among them."""
     best = math.inf, ()
-    for size in range(1, n_agents + 1):
+    for size in range(fleet.least, fleet.n_agents + 1):
         for chosen in itertools.combinations(range(len(cost)), size):
+            if (np.bincount(agents[list(chosen)], minlength=len(fleet.counts)) > fleet.counts).any():
+                continue
             if (members[:, chosen].sum(axis=1) == 1).all() and (must is None or must in chosen):
                 best = min(best, (cost[list(chosen)].sum(), chosen))
     return best
@@ -37,42 +43,42 @@ def _sparse(members):
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_the_choice_is_the_best_one(seed):
-    members, cost, n_agents = _random(seed)
-    best, chosen = _best(members, cost, n_agents)
+    members, agents, cost, fleet = _random(seed)
+    best, chosen = _best(members, agents, cost, fleet)
     limit = 200.0
-    bound, found = choose(_sparse(members), cost, n_agents, limit, UNIT)
+    bound, found = choose(_sparse(members), agents, cost, fleet, limit, UNIT)
     assert bound <= min(best, limit) + 1e-9 and bound == pytest.approx(min(best, limit), abs=1e-4)
     assert (found is None) == (not chosen) and (found is None or sorted(found) == sorted(chosen))
 
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_choice_above_the_limit_is_none(seed):
-    members, cost, n_agents = _random(seed)
-    best, _ = _best(members, cost, n_agents)
+    members, agents, cost, fleet = _random(seed)
+    best, _ = _best(members, agents, cost, fleet)
     limit = min(best, 150.0) * 0.9
-    bound, found = choose(_sparse(members), cost, n_agents, limit, UNIT)
+    bound, found = choose(_sparse(members), agents, cost, fleet, limit, UNIT)
     assert bound == pytest.approx(limit, abs=1e-4)
     assert found is None or cost[found].sum() >= limit
 
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_the_relaxation_is_below_and_its_slacks_drop_nothing_that_counts(seed):
-    members, cost, n_agents = _random(seed)
-    best, _ = _best(members, cost, n_agents)
+    members, agents, cost, fleet = _random(seed)
+    best, _ = _best(members, agents, cost, fleet)
     limit = 1.2 * min(best, 150.0)
-    relaxed = relax_choice(_sparse(members), cost, n_agents, limit, UNIT)
+    relaxed = relax_choice(_sparse(members), agents, cost, fleet, limit, UNIT)
     assert relaxed.bound <= best + 1e-6
     for j in range(len(cost)):
-        with_it = _best(members, cost, n_agents, must=j)[0]
+        with_it = _best(members, agents, cost, fleet, must=j)[0]
         assert limit - with_it <= relaxed.slack[j] + 1e-6
 
 
 def test_without_columns_there_is_no_choice():
-    assert choose(sparse.csc_matrix((3, 0)), np.zeros(0), 2, 50.0, UNIT) == (50.0, None)
+    assert choose(sparse.csc_matrix((3, 0)), np.zeros(0, int), np.zeros(0), alike(2), 50.0, UNIT) == (50.0, None)
 
 
 def test_costs_far_from_one_are_chosen_as_well():
     members = np.eye(3, dtype=bool)
     for scale in (1e-6, 1e9):
-        bound, found = choose(_sparse(members), scale * np.ones(3), 3, 10 * scale, scale)
+        bound, found = choose(_sparse(members), np.zeros(3, int), scale * np.ones(3), alike(3), 10 * scale, scale)
         assert bound == pytest.approx(3 * scale) and sorted(found) == [0, 1, 2]

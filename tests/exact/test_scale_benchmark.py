@@ -13,7 +13,7 @@ def _step(time, phase):
 
 def test_a_phase_is_charged_up_to_the_step_that_ends_it():
     steps = [_step(1.0, "heuristic"), _step(3.0, "prices"), _step(3.5, "heuristic"), _step(7.0, "prices")]
-    spent = benchmark._phases(steps)
+    spent = benchmark.phases(steps)
     assert spent["rounds"] == 2
     assert (spent["heuristic_s"], spent["prices_s"], spent["settle_s"]) == (1.5, 5.5, 0.0)
 
