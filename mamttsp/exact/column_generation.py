@@ -37,6 +37,7 @@ class ColumnGeneration:
     def __init__(self, network, n_targets, fleet, pi, parameters, unit):
         self.network, self.n, self.fleet, self.parameters, self.unit = network, n_targets, fleet, parameters, unit
         self.pi, self.cuts, self.best, self.support = pi, Cuts.none(n_targets), None, []
+        self.box, self.dropped_at = np.inf, np.inf
         self.N = ngsets.nearest(network.pieces, network.arcs, n_targets, parameters.ng_size)
         self.columns = Columns([], [], [], [])
         self._fresh_master()
@@ -71,7 +72,7 @@ class ColumnGeneration:
 
     def moved(self, network):
         """Go on over another network; lengths of columns over the old one are forgotten."""
-        self.network, self.best = network, None
+        self.network, self.best, self.dropped_at = network, None, np.inf
         self.columns = Columns([], [], [], [])
         self._fresh_master()
 
@@ -111,36 +112,47 @@ class ColumnGeneration:
         self.cuts, self.best = self.cuts.with_more(rows, memory), None
         self._fresh_master()
 
-    def evaluate(self, pi, cuts):
-        return evaluate(self.network, ngsets.as_words(self.N), pi, cuts, self.fleet, self.tolerance)
+    def evaluate(self, pi, cuts, most_entries=None):
+        return evaluate(self.network, ngsets.as_words(self.N), pi, cuts, self.fleet, self.tolerance, most_entries)
 
     def run(self, limit, clock, on_bound):
         """Raise the bound until the master agrees with it, it reaches the limit, or time is up; best is then set.
 
-        on_bound: told each Evaluation.
+        Arcs that no solution below the limit uses are dropped on the way. on_bound: told each bound.
         """
+        for most_entries in self.parameters.few_entries:
+            self._converge(limit, clock, on_bound, most_entries)
+            if clock.out():
+                break
+            self.best = self.evaluate(self.pi, self.cuts)
+            on_bound(self.best.bound)
+            self._drop(limit)
+        self._converge(limit, clock, on_bound, None)
+
+    def _converge(self, limit, clock, on_bound, most_entries):
+        """Move the prices until the master agrees with what evaluations of so many entries a piece find."""
         p = self.parameters
-        pi, cuts = self.pi, self.cuts
-        box, predicted = p.box * max(np.abs(pi).mean(), 1e-3 * self.unit), np.inf
-        thinnest, idle = 1e-4 * box, 0
-        for step in range(p.most_steps):
-            evaluation = self.evaluate(pi, cuts)
-            on_bound(evaluation)
-            bound, idle = evaluation.bound, idle + 1
-            if step == 0 or bound > self.best.bound:  # the first is at the best prices known
-                if step > 0 and bound > self.best.bound + 0.3 * predicted:
+        pi, cuts, self.best = self.pi, self.cuts, None
+        widest = p.box * max(np.abs(pi).mean(), 1e-3 * self.unit)
+        box, thinnest, predicted, idle = min(2.0 * self.box, widest), 1e-4 * widest, np.inf, 0
+        for _ in range(p.most_steps):
+            evaluation = self._tried(pi, cuts, most_entries)
+            value, idle = evaluation.value, idle + 1
+            if self.best is None or value > self.best.value:  # the first is at the best prices known
+                on_bound(evaluation.bound)
+                if self.best is not None and value > self.best.value + 0.3 * predicted:
                     box *= 1.5
                 self.best, idle = evaluation, 0
-            elif bound < self.best.bound - 2.0 * predicted:
+            elif value < self.best.value - 2.0 * predicted:
                 box *= 0.6
-            if self.best.bound >= limit or idle > p.idle_steps or clock.out():
+            if self.best.value >= limit or idle > p.idle_steps or clock.out():
                 break
             routes, endless = evaluation.columns(p.columns, p.columns_each, 3 * self.n)
             pieces = evaluation.pieces
             if endless and self.grow([pieces.target[route] for route in endless]):
                 continue
             # Values are tight near the best prices; far from them they may prove less of the same route.
-            known = self.best if self.best.network is self.network else evaluation
+            known = self.best if self.best.network is evaluation.network else evaluation
             lengths = [max(evaluation.length(route), known.length(route)) for route in routes]
             segments = [tuple(int(i) for i in pieces.segment[route]) for route in routes]
             agents = [int(pieces.layer[route[0]]) for route in routes]
@@ -150,16 +162,32 @@ class ColumnGeneration:
                 break
             if evaluation is not self.best and np.allclose(duals.pi, pi, atol=1e-9 * self.unit):
                 box *= 0.4  # these columns prove more than L did, and cannot lead away from here
-            predicted = duals.value - self.best.bound
+            predicted = duals.value - self.best.value
             self.support = [(self.columns.routes[j], duals.level[j]) for j in np.flatnonzero(duals.level > 1e-6)]
-            if predicted <= p.converged * max(limit - self.best.bound, 0.0) + 1e-6 * self.unit:
+            if predicted <= p.converged * max(limit - self.best.value, 0.0) + 1e-6 * self.unit:
                 if duals.outside < 1e-6 or box < thinnest:
                     break
                 box *= 4.0
             pi, cuts = duals.pi, self.cuts.with_prices(duals.sigma)
             if len(self.columns.routes) > p.most_columns:
                 self._forget(duals.level)
-        self.pi, self.cuts = self.best.pi, self.best.cuts
+            if evaluation is self.best and evaluation.complete:
+                self._drop(limit)
+        self.pi, self.cuts, self.box = self.best.pi, self.best.cuts, max(box, 10.0 * thinnest)
+
+    def _drop(self, limit):
+        """Drop the arcs that no solution below the limit uses, if the gap shrank much since the last time."""
+        if limit - self.best.bound < self.parameters.dropped * self.dropped_at:
+            self.dropped_at = limit - self.best.bound
+            self.narrowed(self.best.eliminated(limit, self.tolerance))
+
+    def _tried(self, pi, cuts, most_entries):
+        """Return an Evaluation of so many entries; of fewer ones, if they tell already that it is no better."""
+        if most_entries is None and self.best is not None:
+            few = self.evaluate(pi, cuts, self.parameters.few_entries[-1])
+            if few.value <= self.best.value:
+                return few
+        return self.evaluate(pi, cuts, most_entries)
 
     def _forget(self, level):
         """Keep the columns of the support and the latest ones."""

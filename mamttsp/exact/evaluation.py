@@ -17,6 +17,10 @@ from .legs import least, share_before
 from .pieces import Arcs, Pieces, all_arcs, finer, finer_arcs, make_pieces, select
 
 
+#: more entries than any list has
+_ALL = 1 << 40
+
+
 class Network(NamedTuple):
     """Pieces and the arcs between them that a better solution may use; starts, ends: (Q,) bool, pieces where its
     routes may begin and end; ahead, back: both directions of time, see `ngroutes`."""
@@ -65,8 +69,9 @@ def refined(network, graph, width, centre, targets):
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Evaluation:
-    """L at prices pi (n,) and those of the cuts, over a network. bound: L, infinite if there is no ng-route at all;
-    lists: values to go; cost, entry: (Q,) see `ngroutes.cheapest_starts`."""
+    """L at prices pi (n,) and those of the cuts, over a network. lists: values to go; cost, entry: (Q,) see
+    `ngroutes.cheapest_starts`; value: L, infinite if there is no ng-route at all; complete: False if not all ng-routes
+    were looked at: value then is only at least L, and bound -infinity."""
 
     network: Network
     N: np.ndarray
@@ -77,6 +82,7 @@ class Evaluation:
     lists: ngroutes.Lists
     cost: np.ndarray
     entry: np.ndarray
+    complete: bool
 
     @property
     def pieces(self):
@@ -99,8 +105,12 @@ class Evaluation:
         return float(self.pi.sum() + self.cuts.sigma.sum())
 
     @property
-    def bound(self):
+    def value(self):
         return self.constant + self.fleet.total(self.cheapest)
+
+    @property
+    def bound(self):
+        return self.value if self.complete else -np.inf
 
     def slack(self, limit):
         """Return (K,) the greatest reduced cost that a route of each layer may have in a solution of value at most
@@ -159,14 +169,22 @@ def _flipped(lists):
     return lists._replace(left=lists.right, right=lists.left)
 
 
-def evaluate(network, N, pi, cuts, fleet, tolerance):
-    """Return the Evaluation at multipliers pi; values that change by less than `tolerance` count as unchanged."""
+def evaluate(network, N, pi, cuts, fleet, tolerance, most_entries=None):
+    """Return the Evaluation at multipliers pi; values that change by less than `tolerance` count as unchanged.
+
+    most_entries: of a piece's list; with fewer than there are the Evaluation is not complete.
+    """
     prices = ngroutes.Prices(pi, N, *cuts.words)
-    lists = _values(network.ahead, prices, tolerance)
+    lists = _values(network.ahead, prices, tolerance, most_entries)
     cost, entry = ngroutes.cheapest_starts(network.pieces, prices, lists)
     n = len(pi)
-    return Evaluation(network, N, pi, cuts, fleet, prices, lists, cost - n * tolerance, entry)
+    return Evaluation(
+        network, N, pi, cuts, fleet, prices, lists, cost - n * tolerance, entry, most_entries is None
+    )  # fmt: skip
 
 
-def _values(side, prices, tolerance):
-    return ngroutes.values_to_go(side, prices, tolerance, len(prices.pi))[0]
+def _values(side, prices, tolerance, most_entries=None):
+    n = len(prices.pi)
+    if most_entries is None:
+        return ngroutes.values_to_go(side, prices, tolerance, n, _ALL)[0]
+    return ngroutes.values_to_go(side, prices, tolerance, n, most_entries)[0]

@@ -118,9 +118,10 @@ def _pays(odd, sigma):
 
 
 @njit(cache=True)
-def _extended(q, side, prices, lists, work, first_time):
+def _extended(q, side, prices, lists, work, first_time, most):
     """Gather in `work` (memory, parity, load, left, right) what can be said of piece q from the lists of those behind
-    it: the entries that no other dominates, by their sums; return how many, -1 if there is no room.
+    it: the entries that no other dominates, by their sums, the first `most` of them; return how many, -1 if there is no
+    room.
 
     Everything is unpacked first and done in one loop: numba counts references at each call and attribute otherwise.
     """
@@ -189,6 +190,10 @@ def _extended(q, side, prices, lists, work, first_time):
                     left[y - gone], right[y - gone] = left[y], right[y]
                 y += 1
             known -= gone
+            if known == most:
+                if place == most:
+                    continue
+                known -= 1
             if known == room:
                 return -1
             for y in range(known, place, -1):
@@ -208,10 +213,11 @@ def _room(size, W):
 
 
 @njit(cache=True)
-def values_to_go(side, prices, tolerance, most_passes):
+def values_to_go(side, prices, tolerance, most_passes, most_entries):
     """Return (lists, passes): the values to go of each piece, its own multiplier not included.
 
-    tolerance: a change of a value that counts as none.
+    tolerance: a change of a value that counts as none; most_entries: of one piece: with fewer than there are the values
+    are those of some ng-routes, and bound nothing.
     """
     Q, W = len(side.a), prices.N.shape[1]
     size = 4 * Q + 64
@@ -229,10 +235,10 @@ def values_to_go(side, prices, tolerance, most_passes):
             if not dirty[q]:
                 continue
             dirty[q] = False
-            known = _extended(q, side, prices, lists, work, passes == 1)
+            known = _extended(q, side, prices, lists, work, passes == 1, most_entries)
             while known < 0:
                 work = _room(4 * len(work[2]), W)
-                known = _extended(q, side, prices, lists, work, passes == 1)
+                known = _extended(q, side, prices, lists, work, passes == 1, most_entries)
             if _unchanged(work, known, lists, q, tolerance):
                 continue
             if known > lists.count[q]:

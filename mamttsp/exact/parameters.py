@@ -23,12 +23,15 @@ class Parameters:
     idle_steps: int = 20
     #: column generation ends when the bound is within this share of the gap of the master's value
     converged: float = 0.02
-    #: pieces that a target's windows are cut into at first; and where loads matter, which make lists of values long
-    pieces_each: int = 30
-    pieces_each_loaded: int = 15
+    #: prices are moved with only so many entries of each piece at first, one after the other
+    few_entries: tuple = (3, 8)
+    #: arcs are dropped during column generation whenever the gap has shrunk to this share since the last time
+    dropped: float = 0.8
+    #: pieces that a target's windows are cut into at first
+    pieces_each: int = 15
     #: looks of ruin and recreate, for each target squared, at first and whenever pieces get shorter; iterations of one
     annealing: float = 1.0 / 60.0
-    annealing_later: float = 1.0 / 20.0
+    annealing_later: float = 1.0 / 40.0
     annealing_step: int = 500
     #: columns that are timed in a round, for each target
     timed: int = 5
@@ -36,14 +39,14 @@ class Parameters:
     choice_seconds: float = 0.5
     #: labels of the first enumeration, by how much more each next one may grow, and the most
     first_labels: int = 300_000
-    more_labels: float = 2.0
+    more_labels: float = 3.0
     most_labels: int = 8_000_000
     #: an enumeration is tried again over the same pieces once only this share of the arcs is left
     fewer_arcs: float = 0.9
     #: label extensions per second, an underestimate, to stop in time
     rate: float = 2e7
     #: a means of raising the bound is used again if it closed this share of the gap
-    worthwhile: float = 0.01
+    worthwhile: float = 0.05
     #: subset-row cuts added at once, and by how much they must be violated
     cuts: int = 15
     violation: float = 0.02

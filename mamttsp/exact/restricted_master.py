@@ -9,6 +9,10 @@ import numpy as np
 _NEEDED = 2.0
 
 
+#: HiGHS's number for the primal simplex method
+_PRIMAL = 4
+
+
 class Duals(NamedTuple):
     """value: of the linear program; pi: (n,); sigma: (C,) <= 0; level: (J,) of the columns; outside: how much of the
     targets is served at the prices of the box."""
@@ -32,7 +36,8 @@ class RestrictedMaster:
         self.n, self.unit, self.fleet = n_targets, unit, fleet
         self.needed = int(fleet.least > 1)  # one route is always needed, and needs no row
         self._highs = highs = highspy.Highs()
-        for name, value in (("output_flag", False), ("threads", 1), ("random_seed", 0)):
+        # New columns leave a basis primal feasible; HiGHS's dual simplex was seen to go round for ever here.
+        for name, value in (("output_flag", False), ("threads", 1), ("random_seed", 0), ("simplex_strategy", _PRIMAL)):
             highs.setOptionValue(name, value)
         index, none = np.zeros(0, np.int32), np.zeros(0)
         for _ in range(n_targets):

@@ -57,9 +57,9 @@ class Search:
 
     def first_width(self):
         """Return the length of the first pieces in s, by the windows of a target in the mean."""
-        graph, p = self.graph, self.parameters
+        graph = self.graph
         windows = sum(graph.t_hi[i] - graph.t_lo[i] for i in graph.V_seg) / (self.n * graph.n_layers)
-        return windows / (p.pieces_each_loaded if graph.loaded else p.pieces_each)
+        return windows / self.parameters.pieces_each
 
     def first_prices(self):
         """Return (n,) half of the legs to and from each target in the incumbent, damped; even prices without one."""
@@ -91,7 +91,7 @@ class Search:
         """Raise the bound over the present pieces, drop what is beyond the limit, and try to enumerate the rest."""
         generation, before = self.generation, self.standing.bound
         generation.offer_incumbent(self.incumbent)
-        generation.run(self.standing.limit, self.clock, self.on_evaluation)
+        generation.run(self.standing.limit, self.clock, self.standing.raise_bound)
         self.report("prices")
         if self.over():
             return
@@ -112,9 +112,6 @@ class Search:
             self.refine(routes)
         else:
             self.strengthen(self.standing.bound - before >= self.parameters.worthwhile * (limit - before))
-
-    def on_evaluation(self, evaluation):
-        self.standing.raise_bound(evaluation.bound)
 
     def time_columns(self):
         """Time the elementary columns of least reduced cost, and choose among all routes known."""
