@@ -27,12 +27,15 @@ class Parameters:
     few_entries: tuple = (3, 8)
     #: arcs are dropped during column generation whenever the gap has shrunk to this share since the last time
     dropped: float = 0.8
-    #: pieces that a target's windows are cut into at first
-    pieces_each: int = 15
+    #: length of the first pieces, as a share of the time there is for each target, and pieces of one, at least
+    piece: float = 0.35
+    pieces_each: int = 8
     #: looks of ruin and recreate, for each target squared, at first and whenever pieces get shorter; iterations of one
-    annealing: float = 1.0 / 60.0
-    annealing_later: float = 1.0 / 40.0
+    annealing: float = 1.0 / 200.0
+    annealing_later: float = 1.0 / 60.0
     annealing_step: int = 500
+    #: a gap below this share is small: no more tours are looked for, and sets are settled
+    near: float = 0.01
     #: columns that are timed in a round, for each target
     timed: int = 5
     #: seconds for a choice among known routes

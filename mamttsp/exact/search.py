@@ -27,7 +27,7 @@ class Search:
         self.graph, self.n, self.fleet, self.m = graph, graph.n_targets, fleet, fleet.n_agents
         self.clock, self.parameters, self.progress, self.annealing = clock, parameters, progress, annealing
         self.standing = Standing(graph, fleet, gap)
-        self.labels, self.columns, self.exhausted = 0, 0, False
+        self.labels, self.columns, self.exhausted, self.enumerated = 0, 0, False, False
         self.unit, self.most_pieces = graph.size or 1.0, parameters.most_pieces
         self.most_labels, self.means, self.first, self.fewer_arcs = parameters.first_labels, 0, True, np.inf
         if start:
@@ -44,6 +44,10 @@ class Search:
     def over(self):
         return self.standing.closed() or self.exhausted or self.clock.out()
 
+    def near(self):
+        """Tell whether the gap is small."""
+        return self.standing.bound >= (1.0 - self.parameters.near) * self.standing.limit
+
     def run(self):
         """Run until the gap is closed, infeasibility is proved or time is up."""
         self.search_tours(self.parameters.annealing)
@@ -56,10 +60,12 @@ class Search:
             self.round()
 
     def first_width(self):
-        """Return the length of the first pieces in s, by the windows of a target in the mean."""
-        graph = self.graph
-        windows = sum(graph.t_hi[i] - graph.t_lo[i] for i in graph.V_seg) / (self.n * graph.n_layers)
-        return windows / self.parameters.pieces_each
+        """Return the length of the first pieces in s: a share of the time there is for each target, or of its windows
+        in the mean if that is less."""
+        graph, p = self.graph, self.parameters
+        start, end = graph.t_lo[graph.V_seg], graph.t_hi[graph.V_seg]
+        each = (end - start).sum() / (self.n * graph.n_layers)
+        return min(p.piece * (end.max() - start.min()) / self.n, each / p.pieces_each)
 
     def first_prices(self):
         """Return (n,) half of the legs to and from each target in the incumbent, damped; even prices without one."""
@@ -96,6 +102,8 @@ class Search:
         if self.over():
             return
         self.time_columns()
+        if not self.near():
+            self.search_tours(self.parameters.annealing_later)
         limit = self.standing.limit
         network = generation.best.eliminated(limit, generation.tolerance)
         generation.narrowed(network)
@@ -133,9 +141,7 @@ class Search:
         if self.means <= 1 and self.m > 1 and self.add_cuts():
             self.means = 1
             return
-        self.search_tours(self.parameters.annealing_later)
-        if not self.over():
-            self.refine()
+        self.refine()
 
     def add_cuts(self):
         generation = self.generation
@@ -174,7 +180,10 @@ class Search:
         self.time_routes(routes, np.flatnonzero(alive))
         routes.lead(alive)
         sets.keep(relaxed.slack >= 0.0)
-        if not self.over() and 0 < len(sets.cost) <= self.parameters.few_sets:
+        # Far from the limit, shorter pieces raise all bounds at once; but that is tried only once.
+        ready = self.m == 1 or self.enumerated or self.near()
+        self.enumerated = True
+        if not self.over() and ready and 0 < len(sets.cost) <= self.parameters.few_sets:
             self.settle(sets, routes)
         return routes
 

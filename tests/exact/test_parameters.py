@@ -20,7 +20,7 @@ FORCED = {
     "nothing but shorter pieces": {"first_labels": 1, "worthwhile": 2.0, "pieces_each": 2},
     "ng-sets grow from nothing": {"ng_size": 0},
     "ng-sets grow by the shortest cycles": {"ng_size": 0, "longest_cycle": 2, "first_labels": 1, "pieces_each": 4},
-    "two pieces for each target": {"pieces_each": 2, "pieces_each_loaded": 2},
+    "two pieces for each target": {"pieces_each": 2},
     "no set is settled": {"few_sets": 0},
     "no sequence is timed": {"few_sequences": 0},
     "one column an evaluation": {"columns": 1, "columns_each": 1},
