@@ -72,7 +72,8 @@ def separate(routes, level, n_targets, most, least_violation):
     routes: sequences of targets with the given level (J,) > 0 in a linear program's solution.
     """
     visits = np.array([np.bincount(route, minlength=n_targets) for route in routes], dtype=np.int8)
-    i, j, k = np.array([(i, j, k) for i in range(n_targets) for j in range(i) for k in range(j)], int).reshape(-1, 3).T
+    every = np.arange(n_targets)
+    i, j, k = np.nonzero((every[:, None, None] > every[:, None]) & (every[:, None] > every))
     total = np.zeros(len(i))
     for visit, share in zip(visits, level):
         total += share * ((visit[i] + visit[j] + visit[k]) // 2)

@@ -16,7 +16,6 @@ from .fleet import Fleet
 from .legs import least, share_before
 from .pieces import Arcs, Pieces, all_arcs, finer, finer_arcs, make_pieces, select
 
-
 #: more entries than any list has
 _ALL = 1 << 40
 

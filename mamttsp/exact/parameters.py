@@ -30,9 +30,9 @@ class Parameters:
     #: length of the first pieces, as a share of the time there is for each target, and pieces of one, at least
     piece: float = 0.35
     pieces_each: int = 8
-    #: looks of ruin and recreate, for each target squared, at first and whenever pieces get shorter; iterations of one
-    annealing: float = 1.0 / 200.0
-    annealing_later: float = 1.0 / 60.0
+    #: looks of ruin and recreate, for each target, at first and in a round that leaves a wide gap; iterations of one
+    annealing: float = 0.1
+    annealing_later: float = 0.3
     annealing_step: int = 500
     #: a gap below this share is small: no more tours are looked for, and sets are settled
     near: float = 0.01

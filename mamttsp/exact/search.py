@@ -77,8 +77,8 @@ class Search:
         return pi
 
     def search_tours(self, looks):
-        """Look for tours by ruin and recreate, so many looks for each target squared, then among all their routes."""
-        looks = max(1, round(self.n**2 * looks))
+        """Look for tours by ruin and recreate, so many looks for each target, then among all their routes."""
+        looks = max(1, round(self.n * looks))
         for look in range(looks):
             if self.clock.out():
                 break

@@ -46,10 +46,12 @@ def settle(sets, fleet, limit, unit, settle_set, on_bound, clock):
     cost of the set's routes below the limit, infinite if there is none, None if that cannot be told; on_bound(bound):
     told each bound.
     """
+    rows = None
     while not clock.out():
-        relaxed = relax_choice(sets.members, sets.agents, sets.cost, fleet, limit(), unit, clock.seconds)
+        relaxed = relax_choice(sets.members, sets.agents, sets.cost, fleet, limit(), unit, clock.seconds, rows)
         if relaxed is None:
             return False
+        rows = relaxed.rows
         bound, alive = relaxed.bound, relaxed.slack >= 0.0
         alive[relaxed.support] = True
         competing = (np.cumsum(alive) - 1)[relaxed.support]
