@@ -27,7 +27,7 @@ class Search:
         self.graph, self.n, self.fleet, self.m = graph, graph.n_targets, fleet, fleet.n_agents
         self.clock, self.parameters, self.progress, self.annealing = clock, parameters, progress, annealing
         self.standing = Standing(graph, fleet, gap)
-        self.labels, self.columns, self.exhausted, self.enumerated = 0, 0, False, False
+        self.labels, self.columns, self.exhausted, self.enumerated, self.found = 0, 0, False, False, False
         self.unit, self.most_pieces = graph.size or 1.0, parameters.most_pieces
         self.most_labels, self.means, self.first, self.fewer_arcs = parameters.first_labels, 0, True, np.inf
         if start:
@@ -78,7 +78,7 @@ class Search:
 
     def search_tours(self, looks):
         """Look for tours by ruin and recreate, so many looks for each target, then among all their routes."""
-        looks = max(1, round(self.n * looks))
+        looks, before = max(1, round(self.n * looks)), self.incumbent.objective
         for look in range(looks):
             if self.clock.out():
                 break
@@ -87,6 +87,7 @@ class Search:
             ):
                 self.incumbent.offer(routes)
         self.recombine()
+        self.found = self.incumbent.objective < before
         self.report("heuristic")
 
     def recombine(self):
@@ -102,7 +103,7 @@ class Search:
         if self.over():
             return
         self.time_columns()
-        if not self.near():
+        if not self.near() and (self.first or self.found):
             self.search_tours(self.parameters.annealing_later)
         limit = self.standing.limit
         network = generation.best.eliminated(limit, generation.tolerance)
