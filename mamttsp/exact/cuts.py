@@ -7,7 +7,8 @@ time it makes a second visit to a target of its row, counted anew whenever it le
 import dataclasses
 
 import numpy as np
-from numba import njit
+
+from ..compiled import compiled
 
 #: cuts are bits of one word
 MOST_CUTS = 63
@@ -53,7 +54,7 @@ class Cuts:
         return np.array([times_paid(route, inside, kept) for route in routes]).reshape(-1, 64)[:, : len(self.rows)]
 
 
-@njit(cache=True)
+@compiled
 def times_paid(route, inside, kept):
     """Return (64,) how often a route, a sequence of targets, pays each cut."""
     times, odd = np.zeros(64), np.uint64(0)

@@ -1,14 +1,14 @@
 """Elimination by reduced cost: arcs that no solution within the limit can use."""
 
 import numpy as np
-from numba import njit
 
+from ..compiled import compiled
 from .legs import before_leg
 from .ngroutes import penalty
 from .sets import disjoint, has
 
 
-@njit(cache=True)
+@compiled
 def arcs_alive(side, prices, lists, back, slack):
     """Return (A,) bool: the arcs on some relaxed route of reduced cost at most slack[k] in layer k.
 

@@ -7,8 +7,8 @@ import math
 from collections import namedtuple
 
 import numpy as np
-from numba import njit
 
+from ..compiled import compiled
 from ..motion import TIME_SLACK
 
 _GRID = 24
@@ -56,7 +56,7 @@ def make_networks(graph, node, time, start, slack):
     return Network(between, between.transpose(0, 2, 1).copy(), first, last, start, *map(np.array, zip(*near)))
 
 
-@njit(cache=True)
+@compiled
 def of_layer(networks, k):
     """Return the Network of layer k."""
     return Network(
@@ -65,42 +65,27 @@ def of_layer(networks, k):
     )  # fmt: skip
 
 
-@njit(cache=True)
 def _distances(p, time, target, depot, end, speed, horizon, slack):
     """Return (between (P, P), first (P,), last (P,)): distances, infinite where a flight would be more than `slack`
     s late."""
-    P = len(time)
-    between, first, last = np.full((P, P), np.inf), np.full(P, np.inf), np.full(P, np.inf)
     slack += TIME_SLACK * horizon
-    for g in range(P):
-        d = math.hypot(p[g, 0] - depot[0], p[g, 1] - depot[1])
-        if d <= speed * (time[g] + slack):
-            first[g] = d
-        d = math.hypot(p[g, 0] - end[0], p[g, 1] - end[1])
-        if d <= speed * (horizon - time[g] + slack):
-            last[g] = d
-        for h in range(P):
-            d = math.hypot(p[h, 0] - p[g, 0], p[h, 1] - p[g, 1])
-            if target[g] != target[h] and d <= speed * (time[h] - time[g] + slack):
-                between[g, h] = d
+    x, y = p.T
+    between = np.hypot(x - x[:, None], y - y[:, None])
+    between[(target == target[:, None]) | (between > speed * (time - time[:, None] + slack))] = np.inf
+    first, last = np.hypot(x - depot[0], y - depot[1]), np.hypot(x - end[0], y - end[1])
+    first[first > speed * (time + slack)] = np.inf
+    last[last > speed * (horizon - time + slack)] = np.inf
     return between, first, last
 
 
-@njit(cache=True)
 def _shortest(between, first, last, start):
     """Return (near (n, n), near_first (n,), near_last (n,)), see Network."""
-    n = len(start) - 1
-    near, near_first, near_last = np.full((n, n), np.inf), np.empty(n), np.empty(n)
-    for u in range(n):
-        near_first[u] = first[start[u] : start[u + 1]].min()
-        near_last[u] = last[start[u] : start[u + 1]].min()
-        for w in range(n):
-            if u != w:
-                near[u, w] = between[start[u] : start[u + 1], start[w] : start[w + 1]].min()
-    return near, near_first, near_last
+    begin = start[:-1]
+    near = np.minimum.reduceat(np.minimum.reduceat(between, begin, axis=0), begin, axis=1)
+    return near, np.minimum.reduceat(first, begin), np.minimum.reduceat(last, begin)
 
 
-@njit(cache=True)
+@compiled
 def _min_plus(values, here, there, start, flights, out):
     """out[h] = least values[g] + flights from point g of target `here` to point h of target `there`; return the least
     of out. Point h is the inner loop: along the rows of `flights`, without branches, processors do several at once."""
@@ -115,27 +100,27 @@ def _min_plus(values, here, there, start, flights, out):
     return out.min()
 
 
-@njit(cache=True)
+@compiled
 def _arrive(w, route, i, network, values, out):
     """Fill out with the values so far of target w behind the first i stops of a route; return the least of them."""
     if i > 0:
         return _min_plus(values.so_far[i - 1], route[i - 1], w, network.start, network.between, out)
-    start = network.start
-    out[: start[w + 1] - start[w]] = network.first[start[w] : start[w + 1]]
+    for g in range(network.start[w], network.start[w + 1]):
+        out[g - network.start[w]] = network.first[g]
     return network.near_first[w]
 
 
-@njit(cache=True)
+@compiled
 def _leave(w, route, length, i, network, values, out):
     """Fill out with the values to go of target w before stop i of a route; return the least of them."""
     if i < length:
         return _min_plus(values.to_go[i], route[i], w, network.start, network.back, out)
-    start = network.start
-    out[: start[w + 1] - start[w]] = network.last[start[w] : start[w + 1]]
+    for g in range(network.start[w], network.start[w + 1]):
+        out[g - network.start[w]] = network.last[g]
     return network.near_last[w]
 
 
-@njit(cache=True)
+@compiled
 def evaluate(route, length, network, values):
     """Fill the values at each stop of a route; return its cost."""
     if length == 0:
@@ -145,10 +130,10 @@ def evaluate(route, length, network, values):
     for i in range(length - 1, -1, -1):
         values.least_to_go[i] = _leave(route[i], route, length, i + 1, network, values, values.to_go[i])
     size = network.start[route[0] + 1] - network.start[route[0]]
-    return np.min(values.so_far[0, :size] + values.to_go[0, :size])
+    return _least_sum(values.so_far[0], values.to_go[0], size)
 
 
-@njit(cache=True)
+@compiled
 def insertion(w, route, length, i, network, values, arrive, leave, cutoff):
     """Return the route's cost with w inserted before its stop i, or infinity if that is not below the cutoff."""
     before = network.near_first[w] if i == 0 else values.least_so_far[i - 1] + network.near[route[i - 1], w]
@@ -157,10 +142,19 @@ def insertion(w, route, length, i, network, values, arrive, leave, cutoff):
         return np.inf
     _leave(w, route, length, i, network, values, leave)
     size = network.start[w + 1] - network.start[w]
-    return np.min(arrive[:size] + leave[:size])
+    return _least_sum(arrive, leave, size)
 
 
-@njit(cache=True)
+@compiled
+def _least_sum(so_far, to_go, size):
+    """Return the least sum of the two at one of the first `size` points."""
+    least = np.inf
+    for g in range(size):
+        least = min(least, so_far[g] + to_go[g])
+    return least
+
+
+@compiled
 def trace(route, length, network, values, points):
     """Fill the grid points of a cheapest flight along a route that is evaluated."""
     start = network.start

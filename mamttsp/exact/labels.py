@@ -9,8 +9,8 @@ last piece is nowhere worse (dominance on bounds: the least bound of all complet
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from ..compiled import compiled, inlined
 from ..motion import earliest_meeting
 from .legs import after_leg, least, share_before
 from .ngroutes import penalty
@@ -38,7 +38,7 @@ class Labels(NamedTuple):
     parent: np.ndarray
 
 
-@njit(cache=True)
+@compiled
 def _empty(size, W):
     return Labels(
         np.zeros((size, W), np.uint64), np.empty(size, np.uint64), np.empty(size), np.empty(size, np.int32),
@@ -46,28 +46,21 @@ def _empty(size, W):
     )  # fmt: skip
 
 
-@njit(cache=True)
+@compiled
 def _grown(labels):
     """Return the Labels with room for as many again."""
     size, W = labels.visited.shape
     more = _empty(2 * size, W)
-    more.visited[:size], more.odd[:size], more.load[:size] = labels.visited, labels.odd, labels.load
-    more.piece[:size] = labels.piece
-    more.left[:size], more.right[:size] = labels.left, labels.right
-    more.early[:size], more.parent[:size] = labels.early, labels.parent
+    for x in range(size):
+        for z in range(W):
+            more.visited[x, z] = labels.visited[x, z]
+        more.odd[x], more.load[x], more.piece[x] = labels.odd[x], labels.load[x], labels.piece[x]
+        more.left[x], more.right[x], more.early[x] = labels.left[x], labels.right[x], labels.early[x]
+        more.parent[x] = labels.parent[x]
     return more
 
 
-@njit(cache=True)
-def select(labels, keep):
-    """Return the labels with the given indices, in that order."""
-    return Labels(
-        labels.visited[keep], labels.odd[keep], labels.load[keep], labels.piece[keep], labels.left[keep],
-        labels.right[keep], labels.early[keep], labels.parent[keep],
-    )  # fmt: skip
-
-
-@njit(cache=True, inline="always")
+@inlined
 def _can_be_completed(visited, x, odd, room, left, right, share, r, lists, limit, sigma):
     """Tell whether an entry of the values to go at piece r keeps the label within the limit; room: what can still be
     carried."""
@@ -85,7 +78,7 @@ def _can_be_completed(visited, x, odd, room, left, right, share, r, lists, limit
     return found
 
 
-@njit(cache=True)
+@compiled
 def _least_to_go(lists):
     """Return (Q, 2) the least values to go at both ends of each piece, whatever is remembered."""
     best = np.full((len(lists.first), 2), np.inf)
@@ -96,10 +89,15 @@ def _least_to_go(lists):
     return best
 
 
-@njit(cache=True)
 def first_labels(pieces, prices, lists, limit):
     """Return the Labels of one visit: straight from the depot. lists: values to go, see `ngroutes`; limit: (K,) of the
     reduced cost of a route of each layer of the graph."""
+    labels, count = _first_labels(pieces, prices, lists, limit)
+    return Labels(*(part[:count] for part in labels))
+
+
+@compiled
+def _first_labels(pieces, prices, lists, limit):
     labels = _empty(len(pieces.a), prices.N.shape[1])
     x = 0
     for q in range(len(pieces.a)):
@@ -118,10 +116,9 @@ def first_labels(pieces, prices, lists, limit):
             labels.left[x], labels.right[x] = left, right
             labels.early[x], labels.parent[x] = pieces.ready[q], -1
             x += 1
-    return select(labels, np.arange(x))
+    return labels, x
 
 
-@njit(cache=True)
 def extend(old, pieces, arcs, prices, lists, limit, most, budget):
     """Extend every label of one number of visits along every arc, and drop what is dominated.
 
@@ -129,11 +126,29 @@ def extend(old, pieces, arcs, prices, lists, limit, most, budget):
     of all extensions within the limit, the dominated ones linked to what dominates them; tried: how many extensions
     were; complete is False if more than `most` labels or `budget` tried extensions were needed, and the labels are then
     of no use.
+    """
+    new, count, heir, links, tried, complete = _extend(old, pieces, arcs, prices, lists, limit, most, budget)
+    if not complete:
+        return new, links, tried, False
+    keep = np.flatnonzero(heir[:count] < 0)
+    place = np.empty(count, np.int32)
+    place[keep] = np.arange(len(keep))
+    heads = links[:, 1]
+    while (dropped := heir[heads] >= 0).any():
+        heads = np.where(dropped, heir[heads], heads)
+    links[:, 1] = place[heads]
+    return Labels(*(part[keep] for part in new)), links, tried, True
+
+
+@compiled
+def _extend(old, pieces, arcs, prices, lists, limit, most, budget):
+    """Return (new, count, heir, links, tried, complete): as `extend`, but with the dominated among the first `count` of
+    the labels `new`; heir: (X,) what dominates each of them, or -1.
 
     All in one function, with arrays unpacked first: numba counts references at each call and attribute otherwise.
     """
     W = prices.N.shape[1]
-    new, count = _empty(_FIRST_SIZE, W), 0
+    new, count = _empty(np.int64(_FIRST_SIZE), W), np.int64(0)
     following = np.empty(_FIRST_SIZE, np.int32)
     heir = np.full(_FIRST_SIZE, -1, np.int32)  # the label that dominates a dropped one
     head = np.full(4 * _FIRST_SIZE, -1, np.int32)
@@ -151,7 +166,7 @@ def extend(old, pieces, arcs, prices, lists, limit, most, budget):
         px, py = p[q, 0] + since * v[q, 0], p[q, 1] + since * v[q, 1]
         tried += start[q + 1] - start[q]
         if tried > budget:
-            return new, links[:0], tried, False
+            return new, count, heir, links[:0], tried, False
         for k in range(start[q], start[q + 1]):
             r = heads[k]
             w = target[r]
@@ -187,7 +202,7 @@ def extend(old, pieces, arcs, prices, lists, limit, most, budget):
             if linked == len(links):
                 links = np.concatenate((links, np.empty_like(links)))
             links[linked, 0] = x
-            slot = _slot_of(fresh, 0, r, len(head))
+            slot = _slot_of(fresh, np.int64(0), r, len(head))
             better = _dominate(
                 new, head[slot], following, heir, count, fresh, r, left, right, early, share, a[r], width
             )
@@ -198,13 +213,13 @@ def extend(old, pieces, arcs, prices, lists, limit, most, budget):
             links[linked, 1] = count
             linked += 1
             if count >= most:
-                return new, links[:0], tried, False
+                return new, count, heir, links[:0], tried, False
             if count == len(new.left):
                 new = _grown(new)
                 following = np.concatenate((following, np.empty_like(following)))
                 heir = np.concatenate((heir, np.full(len(heir), -1, np.int32)))
                 head = _rehash(new, count, 4 * len(new.left), following)
-                slot = _slot_of(fresh, 0, r, len(head))
+                slot = _slot_of(fresh, np.int64(0), r, len(head))
             for z in range(W):
                 new.visited[count, z] = fresh[0, z]
             new.odd[count], new.load[count], new.piece[count] = odd, old.load[x] + demand[layer, w], r
@@ -213,11 +228,10 @@ def extend(old, pieces, arcs, prices, lists, limit, most, budget):
             following[count] = head[slot]
             head[slot] = count
             count += 1
-    labels, links = _compact(new, count, heir, links[:linked])
-    return labels, links, tried, True
+    return new, count, heir, links[:linked], tried, True
 
 
-@njit(cache=True)
+@compiled
 def _slot_of(visited, x, piece, size):
     """Return where in a table of `size`, a power of 2, the labels of a set and piece are chained."""
     key = np.uint64(piece) * np.uint64(0xC2B2AE3D27D4EB4F)
@@ -227,7 +241,7 @@ def _slot_of(visited, x, piece, size):
     return np.int64(key & np.uint64(size - 1))
 
 
-@njit(cache=True)
+@compiled
 def _rehash(labels, count, size, following):
     """Return a table of `size` with the chains of the first `count` labels, linked by `following`."""
     head = np.full(size, -1, np.int32)
@@ -238,7 +252,7 @@ def _rehash(labels, count, size, following):
     return head
 
 
-@njit(cache=True)
+@compiled
 def _dominate(new, y, following, heir, count, visited, r, left, right, early, share, start, width):
     """Return a label of the chain from y that dominates the candidate, or -1; what the candidate dominates gets it
     as heir."""
@@ -260,21 +274,7 @@ def _dominate(new, y, following, heir, count, visited, r, left, right, early, sh
     return -1
 
 
-@njit(cache=True)
-def _compact(new, count, heir, links):
-    """Take the dominated labels out, and let their links point to their heirs."""
-    keep = np.flatnonzero(heir[:count] < 0)
-    place = np.empty(count, np.int32)
-    place[keep] = np.arange(len(keep))
-    for y in range(len(links)):
-        x = links[y, 1]
-        while heir[x] >= 0:
-            x = heir[x]
-        links[y, 1] = place[x]
-    return select(new, keep), links
-
-
-@njit(cache=True)
+@compiled
 def closings(labels, pieces):
     """Return (X,) the reduced cost of each label's route with its flight home, infinite if it would come too late."""
     cost = np.full(len(labels.left), np.inf)

@@ -8,14 +8,14 @@ bounds of the exact solver are sums of these, so they hold for every real tour.
 
 import math
 
-from numba import njit
+from ..compiled import compiled, inlined
 
 #: multipliers of the speed limit stop here: for targets almost as fast as agents they grow without end, and with them
 #: rounding errors
 _LARGEST = 1e6
 
 
-@njit(cache=True)
+@compiled
 def tangent(dx, dy, vqx, vqy, vrx, vry):
     """Return the distance |d| and its slopes in the time at the tail and at the head."""
     d = math.hypot(dx, dy)
@@ -24,7 +24,7 @@ def tangent(dx, dy, vqx, vqy, vrx, vry):
     return d, -(dx * vqx + dy * vqy) / d, (dx * vrx + dy * vry) / d
 
 
-@njit(cache=True, inline="always")
+@inlined
 def before_leg(c, slope_q, slope_r, left, right, width_q, width_r, gap, speed):
     """Return (left, right) at the ends of q of: a leg from q to r, then a value (left, right) at r.
 
@@ -46,7 +46,7 @@ def before_leg(c, slope_q, slope_r, left, right, width_q, width_r, gap, speed):
     return free + more, free + more + rise_free + rise_more
 
 
-@njit(cache=True, inline="always")
+@inlined
 def after_leg(c, slope_q, slope_r, left, right, width_q, width_r, gap, speed, start, share):
     """Return (left, right) at the ends of r of: a value (left, right) at q, then the leg from q to r.
 
@@ -69,13 +69,13 @@ def after_leg(c, slope_q, slope_r, left, right, width_q, width_r, gap, speed, st
     return free, free + rise_free
 
 
-@njit(cache=True, inline="always")
+@inlined
 def share_before(time, start, width):
     """Return the part of a piece, from 0 to 1, that lies before `time`."""
     return max(0.0, time - start) / width if width > 0.0 else 0.0
 
 
-@njit(cache=True, inline="always")
+@inlined
 def least(left, right, share):
     """Return the least value of an affine function from `share` of its piece to the end."""
     return min(left + (right - left) * share, right)

@@ -17,8 +17,8 @@ The same code runs forward in time: `reversed_side` shows it the instance with t
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from ..compiled import compiled, inlined
 from .legs import before_leg, least, share_before
 from .sets import add, grown, has, same, subset
 
@@ -98,7 +98,7 @@ def _side(pieces, a, end, start, head, leg, back_start, back):
     )  # fmt: skip
 
 
-@njit(cache=True)
+@compiled
 def penalty(hits, sigma):
     """Return what the subset-row cuts with these bits cost, >= 0."""
     total = 0.0
@@ -111,13 +111,13 @@ def penalty(hits, sigma):
     return total
 
 
-@njit(cache=True, inline="always")
+@inlined
 def _pays(odd, sigma):
     """Return the penalty of the cuts in `odd`, most often none."""
     return penalty(odd, sigma) if odd else 0.0
 
 
-@njit(cache=True)
+@compiled
 def _extended(q, side, prices, lists, work, first_time, most):
     """Gather in `work` (memory, parity, load, left, right) what can be said of piece q from the lists of those behind
     it: the entries that no other dominates, by their sums, the first `most` of them; return how many, -1 if there is no
@@ -207,12 +207,12 @@ def _extended(q, side, prices, lists, work, first_time, most):
     return known
 
 
-@njit(cache=True)
+@compiled
 def _room(size, W):
     return np.empty((size, W), np.uint64), np.empty(size, np.uint64), np.empty(size), np.empty(size), np.empty(size)
 
 
-@njit(cache=True)
+@compiled
 def values_to_go(side, prices, tolerance, most_passes, most_entries):
     """Return (lists, passes): the values to go of each piece, its own multiplier not included.
 
@@ -225,8 +225,8 @@ def values_to_go(side, prices, tolerance, most_passes, most_entries):
         np.zeros(Q, np.int64), np.zeros(Q, np.int64), np.empty((size, W), np.uint64), np.empty(size, np.uint64),
         np.empty(size), np.empty(size), np.empty(size),
     )  # fmt: skip
-    used, passes, again = 0, 0, True
-    work = _room(256, W)
+    used, passes, again = np.int64(0), 0, True
+    work = _room(np.int64(256), W)
     dirty = np.ones(Q, np.bool_)
     while again and passes < most_passes:
         again = False
@@ -258,17 +258,19 @@ def values_to_go(side, prices, tolerance, most_passes, most_entries):
     return lists, passes
 
 
-@njit(cache=True)
+@compiled
 def _store(work, known, lists, q):
     """Make the first `known` entries the list of piece q."""
-    begin, end = lists.first[q], lists.first[q] + known
+    memory, parity, load, left, right = work
     lists.count[q] = known
-    lists.memory[begin:end], lists.parity[begin:end] = work[0][:known], work[1][:known]
-    lists.load[begin:end] = work[2][:known]
-    lists.left[begin:end], lists.right[begin:end] = work[3][:known], work[4][:known]
+    for x in range(known):
+        y = lists.first[q] + x
+        for z in range(memory.shape[1]):
+            lists.memory[y, z] = memory[x, z]
+        lists.parity[y], lists.load[y], lists.left[y], lists.right[y] = parity[x], load[x], left[x], right[x]
 
 
-@njit(cache=True)
+@compiled
 def _unchanged(work, known, lists, q, tolerance):
     memory, parity, load, left, right = work
     if known != lists.count[q]:
@@ -282,7 +284,7 @@ def _unchanged(work, known, lists, q, tolerance):
     return True
 
 
-@njit(cache=True)
+@compiled
 def cheapest_starts(pieces, prices, lists):
     """Return (cost, entry), each (Q,): the least reduced cost of an ng-route that begins at each piece, and the first
     entry of its list on it; infinite and -1 where there is none."""
@@ -303,7 +305,7 @@ def cheapest_starts(pieces, prices, lists):
     return cost, entry
 
 
-@njit(cache=True)
+@compiled
 def trace(side, prices, lists, q, x, longest):
     """Return the pieces of a cheapest ng-route from piece q on that begins with entry x of its list; the first
     `longest` of them if it has as many: it then goes round and round between pieces that overlap in time."""
@@ -344,7 +346,7 @@ def trace(side, prices, lists, q, x, longest):
     return route
 
 
-@njit(cache=True)
+@compiled
 def value_along(side, prices, route):
     """Return (left, right, times): the values to go at the first piece of a route of pieces, with what its own visit
     pays of the subset-row cuts, and how often the route pays each of them."""

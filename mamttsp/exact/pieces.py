@@ -4,8 +4,8 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from ..compiled import compiled
 from ..motion import TIME_SLACK, earliest_meeting
 from .legs import tangent
 
@@ -106,7 +106,7 @@ def _split(a, b, width, centre=None):
     return zip(points[:-1], points[1:])
 
 
-@njit(cache=True)
+@compiled
 def _end_legs(a, b, p, v, layer, depots, ends, speeds, horizon):
     Q = len(a)
     first, last, ready = np.full((Q, 2), np.inf), np.full((Q, 2), np.inf), np.full(Q, np.inf)
@@ -118,11 +118,11 @@ def _end_legs(a, b, p, v, layer, depots, ends, speeds, horizon):
         )
         if ready[q] < np.inf:
             d, _, slope = tangent(x - depots[k, 0], y - depots[k, 1], 0.0, 0.0, v[q, 0], v[q, 1])
-            first[q] = d - slope * half, d + slope * half
+            first[q, 0], first[q, 1] = d - slope * half, d + slope * half
         home = a[q] + math.hypot(p[q, 0] - ends[k, 0], p[q, 1] - ends[k, 1]) / speeds[k]
         if home <= horizon + TIME_SLACK * (1.0 + horizon):
             d, _, slope = tangent(x - ends[k, 0], y - ends[k, 1], 0.0, 0.0, v[q, 0], v[q, 1])
-            last[q] = d - slope * half, d + slope * half
+            last[q, 0], last[q, 1] = d - slope * half, d + slope * half
     return first, last, ready
 
 
@@ -141,7 +141,7 @@ def finer_arcs(pieces, origin, parents):
     return _make_arcs(pieces, origin, start[parents.start], heads)
 
 
-@njit(cache=True)
+@compiled
 def _concatenated(kin, first_kin, parents):
     count = 0
     for r in parents:
@@ -155,7 +155,7 @@ def _concatenated(kin, first_kin, parents):
     return heads
 
 
-@njit(cache=True)
+@compiled
 def _make_arcs(pieces, group, start, heads):
     """Return the Arcs from each piece q to those of heads[start[group[q]] : start[group[q] + 1]] it can reach."""
     Q = len(pieces.a)
@@ -179,7 +179,7 @@ def _make_arcs(pieces, group, start, heads):
     return Arcs(begin, tail, head, leg)
 
 
-@njit(cache=True)
+@compiled
 def _flyable(pieces, q, r):
     k, u, w = pieces.layer[q], pieces.target[q], pieces.target[r]
     if u == w or k != pieces.layer[r] or pieces.ready[q] == np.inf or pieces.last[r, 0] == np.inf:
@@ -198,7 +198,7 @@ def _flyable(pieces, q, r):
     return d <= pieces.speed[k] * (available + TIME_SLACK * (1.0 + abs(pieces.b[r])))
 
 
-@njit(cache=True)
+@compiled
 def _set_leg(pieces, q, r, leg):
     hq, hr = 0.5 * (pieces.b[q] - pieces.a[q]), 0.5 * (pieces.b[r] - pieces.a[r])
     d, in_q, in_r = tangent(

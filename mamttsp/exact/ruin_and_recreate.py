@@ -8,8 +8,8 @@ segments.
 import math
 
 import numpy as np
-from numba import njit
 
+from ..compiled import compiled
 from ..motion import earliest_meeting
 from .grid import Values, evaluate, grid_points, insertion, make_networks, of_layer, trace
 
@@ -27,7 +27,8 @@ class Annealing:
     def __init__(self, graph, targets, fleet, seed=0):
         self.m, self.n, self.seed, self.penalty = fleet.n_agents, len(targets), seed, 4.0 * graph.size
         self.node, time, start, step = grid_points(graph, targets)
-        self.networks = [make_networks(graph, self.node, time, start, share * step) for share in _SLACKS]
+        networks = [make_networks(graph, self.node, time, start, share * step) for share in _SLACKS]
+        self.networks = [(by_layer, _closeness(by_layer.near)) for by_layer in networks]
         segment = np.c_[graph.p_lo, graph.v, graph.t_lo, graph.t_hi][self.node]
         self.motion = segment, graph.p_lo[graph.starts], graph.p_lo[graph.ends], graph.speeds, graph.horizon
         self.layer = np.repeat(np.arange(len(fleet.counts)), fleet.counts)
@@ -40,7 +41,7 @@ class Annealing:
         and can be flown, or None while there are none."""
         self.seed += 1
         self.routes, self.length, length, points = ruin_and_recreate(
-            self.networks[self.seed % len(_SLACKS)],
+            *self.networks[self.seed % len(_SLACKS)],
             *self.motion,
             *self.loads,
             self.routes,
@@ -57,7 +58,7 @@ class Annealing:
         return [tuple(nodes[k, : length[k]].tolist()) for k in range(self.m) if length[k]]
 
 
-@njit(cache=True)
+@compiled
 def _place(w, routes, length, cost, networks, values, layer, demand, room, arrive, leave):
     """Return (k, i): the cheapest place to insert w, before stop i of route k; k = -1 if there is none."""
     best, best_k, best_i, seen_empty = np.inf, -1, -1, -1
@@ -77,7 +78,7 @@ def _place(w, routes, length, cost, networks, values, layer, demand, room, arriv
     return best_k, best_i
 
 
-@njit(cache=True)
+@compiled
 def _load(route, length, demand):
     total = 0.0
     for i in range(length):
@@ -85,7 +86,7 @@ def _load(route, length, demand):
     return total
 
 
-@njit(cache=True)
+@compiled
 def _insert_all(bank, routes, length, cost, networks, values, layer, demand, room, arrive, leave):
     """Insert each target of the bank at its cheapest place; return those for which there is none."""
     left = 0
@@ -103,45 +104,44 @@ def _insert_all(bank, routes, length, cost, networks, values, layer, demand, roo
     return bank[:left].copy()
 
 
-@njit(cache=True)
 def _closeness(near):
     """Return (n, n): each target and behind it the others, closest first; near: (K, n, n) shortest flights' lengths."""
-    order = np.empty(near.shape[1:], np.int64)
-    for u in range(len(order)):
-        close = np.minimum(near[0, u], near[0, :, u])
-        for k in range(1, len(near)):
-            close = np.minimum(close, np.minimum(near[k, u], near[k, :, u]))
-        close[u] = -1.0
-        order[u] = np.argsort(close)
-    return order
+    close = np.minimum(near, near.transpose(0, 2, 1)).min(axis=0)
+    np.fill_diagonal(close, -1.0)
+    return np.argsort(close, axis=1, kind="stable")
 
 
-@njit(cache=True)
+@compiled
 def _remove(seed, order, routes, length, absent):
     """Take strings of neighbouring stops out of routes that come close to the seed target; return their targets,
     together with `absent`, shuffled."""
     m, n = routes.shape
     out = np.zeros(n, np.bool_)
-    out[absent] = True
+    for w in absent:
+        out[w] = True
     whole = np.ones(m, np.bool_)
     longest = max(1.0, min(_STRING, (n - len(absent)) / m))
     strings = int(np.random.uniform(1.0, 4.0 * _REMOVED / (1.0 + longest)))
     for w in order[seed]:
         for k in range(m):
-            i = np.flatnonzero(routes[k, : length[k]] == w)
-            if whole[k] and len(i) > 0 and strings > 0:
+            i = 0
+            while i < length[k] and routes[k, i] != w:
+                i += 1
+            if whole[k] and i < length[k] and strings > 0:
                 size = int(np.random.uniform(1.0, min(longest, length[k]) + 1.0))
-                first = np.random.randint(max(0, i[0] - size + 1), min(i[0], length[k] - size) + 1)
-                out[routes[k, first : first + size]] = True
-                routes[k, first : length[k] - size] = routes[k, first + size : length[k]].copy()
+                first = np.random.randint(max(0, i - size + 1), min(i, length[k] - size) + 1)
                 length[k] -= size
+                for j in range(first, first + size):
+                    out[routes[k, j]] = True
+                for j in range(first, length[k]):
+                    routes[k, j] = routes[k, j + size]
                 whole[k], strings = False, strings - 1
     bank = np.flatnonzero(out)
     np.random.shuffle(bank)
     return bank
 
 
-@njit(cache=True)
+@compiled
 def _flyable(points, length, segment, depot, end, speed, horizon):
     """Tell whether the segments of the points can be met in this order from the depot, and the end by the horizon."""
     px, py, t = depot[0], depot[1], 0.0
@@ -154,34 +154,35 @@ def _flyable(points, length, segment, depot, end, speed, horizon):
     return earliest_meeting(px, py, t, end[0], end[1], 0.0, 0.0, 0.0, 0.0, horizon, speed) < np.inf
 
 
-@njit(cache=True)
+@compiled
 def _absent(routes, length):
     """Return the targets on no route."""
-    here = np.zeros(routes.shape[1], np.bool_)
+    absent = np.ones(routes.shape[1], np.bool_)
     for k in range(len(length)):
-        here[routes[k, : length[k]]] = True
-    return np.flatnonzero(~here)
+        for i in range(length[k]):
+            absent[routes[k, i]] = False
+    return np.flatnonzero(absent)
 
 
-@njit(cache=True)
+@compiled
 def ruin_and_recreate(
-    by_layer, segment, depots, ends, speeds, horizon, layer, demand, room, routes, length, penalty, iterations, warm,
-    cool, seed,
+    by_layer, order, segment, depots, ends, speeds, horizon, layer, demand, room, routes, length, penalty, iterations,
+    warm, cool, seed,
 ):  # fmt: skip
     """Return (routes (m, n), length (m,), best_length (m,), points (m, n)): where annealing from the given routes ends,
     and the lengths and grid points of the best routes on the way; `penalty` for each target left out.
 
-    by_layer: see `grid.make_networks`; segment: (P, 6) motion of each point's segment; depots, ends, speeds, room: of
-    each layer; layer: (m,) of each route, in order; demand: (n,).
+    by_layer: see `grid.make_networks`; order: see `_closeness`; segment: (P, 6) motion of each point's segment; depots,
+    ends, speeds, room: of each layer; layer: (m,) of each route, in order; demand: (n,).
     """
     np.random.seed(seed)
     m, n = routes.shape
-    start = by_layer.start
-    widest = np.max(start[1:] - start[:-1])
+    widest = 0
+    for u in range(n):
+        widest = max(widest, by_layer.start[u + 1] - by_layer.start[u])
     networks = [of_layer(by_layer, k) for k in layer]
     values = [Values(np.empty((n, widest)), np.empty((n, widest)), np.empty(n), np.empty(n)) for _ in range(m)]
     arrive, leave = np.empty(widest), np.empty(widest)
-    order = _closeness(by_layer.near)
     routes, length, cost = routes.copy(), length.copy(), np.zeros(m)
     for k in range(m):
         cost[k] = evaluate(routes[k], length[k], networks[k], values[k])
@@ -203,7 +204,9 @@ def ruin_and_recreate(
         heat = 0.02 * best * (warm + (cool - warm) * it / iterations) ** 2
         accepted = total < now - heat * math.log(np.random.random() + 1e-300)
         for k in range(m):
-            changed[k] = length[k] != kept_length[k] or np.any(routes[k, : length[k]] != kept_routes[k, : length[k]])
+            changed[k] = length[k] != kept_length[k]
+            for i in range(length[k]):
+                changed[k] = changed[k] or routes[k, i] != kept_routes[k, i]
             if accepted and changed[k]:
                 trace(routes[k], length[k], networks[k], values[k], points[k])
                 own = layer[k]

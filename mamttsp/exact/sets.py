@@ -1,7 +1,8 @@
 """Sets of targets as bits of W words of 64: as many targets as there are."""
 
 import numpy as np
-from numba import njit
+
+from ..compiled import compiled, inlined
 
 
 def words(n_targets):
@@ -23,19 +24,19 @@ def members(bits):
     return [64 * w + k for w, word in enumerate(bits) for k in range(64) if int(word) >> k & 1]
 
 
-@njit(cache=True, inline="always")
+@inlined
 def has(sets, x, u):
     """Tell whether target u is in set x of (X, W). All of these take whole arrays and rows: views cost time."""
     return (sets[x, u >> 6] >> np.uint64(u & 63)) & np.uint64(1) != np.uint64(0)
 
 
-@njit(cache=True, inline="always")
+@inlined
 def add(sets, x, u):
     """Put target u into set x."""
     sets[x, u >> 6] |= np.uint64(1) << np.uint64(u & 63)
 
 
-@njit(cache=True, inline="always")
+@inlined
 def same(sets, x, others, y):
     """Tell whether set x of `sets` is set y of `others`."""
     equal = True
@@ -44,7 +45,7 @@ def same(sets, x, others, y):
     return equal
 
 
-@njit(cache=True, inline="always")
+@inlined
 def subset(sets, x, others, y):
     """Tell whether set x of `sets` is part of set y of `others`."""
     inside = True
@@ -53,7 +54,7 @@ def subset(sets, x, others, y):
     return inside
 
 
-@njit(cache=True, inline="always")
+@inlined
 def disjoint(sets, x, others, y):
     """Tell whether set x of `sets` and set y of `others` have no target in common."""
     apart = True
@@ -62,12 +63,14 @@ def disjoint(sets, x, others, y):
     return apart
 
 
-@njit(cache=True)
+@compiled
 def grown(memory, parity, load, left, right, used, more):
     """Return the arrays of entries with room for at least `more` behind the first `used`."""
     size = 2 * (used + more)
     new_memory, new_parity = np.empty((size, memory.shape[1]), np.uint64), np.empty(size, np.uint64)
     new_load, new_left, new_right = np.empty(size), np.empty(size), np.empty(size)
-    new_memory[:used], new_parity[:used] = memory[:used], parity[:used]
-    new_load[:used], new_left[:used], new_right[:used] = load[:used], left[:used], right[:used]
+    for x in range(used):
+        for z in range(memory.shape[1]):
+            new_memory[x, z] = memory[x, z]
+        new_parity[x], new_load[x], new_left[x], new_right[x] = parity[x], load[x], left[x], right[x]
     return new_memory, new_parity, new_load, new_left, new_right
