@@ -30,6 +30,8 @@ class Parameters:
     #: length of the first pieces, as a share of the time there is for each target, and pieces of one, at least
     piece: float = 0.35
     pieces_each: int = 8
+    #: and of all together, at most
+    first_pieces: int = 1500
     #: looks of ruin and recreate, for each target, at first and in a round that leaves a wide gap; iterations of one
     annealing: float = 0.1
     annealing_later: float = 0.3

@@ -61,11 +61,12 @@ class Search:
 
     def first_width(self):
         """Return the length of the first pieces in s: a share of the time there is for each target, or of its windows
-        in the mean if that is less."""
+        in the mean if that is less, but no more pieces than a few."""
         graph, p = self.graph, self.parameters
         start, end = graph.t_lo[graph.V_seg], graph.t_hi[graph.V_seg]
-        each = (end - start).sum() / (self.n * graph.n_layers)
-        return min(p.piece * (end.max() - start.min()) / self.n, each / p.pieces_each)
+        windows, of_targets = (end - start).sum(), self.n * graph.n_layers
+        width = min(p.piece * (end.max() - start.min()) / self.n, windows / (of_targets * p.pieces_each))
+        return max(width, windows / p.first_pieces)
 
     def first_prices(self):
         """Return (n,) half of the legs to and from each target in the incumbent, damped; even prices without one."""
