@@ -183,8 +183,9 @@ class ColumnGeneration:
 
     def _tried(self, pi, cuts, most_entries):
         """Return an Evaluation of so many entries; of fewer ones, if they tell already that it is no better."""
-        if most_entries is None and self.best is not None:
-            few = self.evaluate(pi, cuts, self.parameters.few_entries[-1])
+        few_entries = self.parameters.few_entries
+        if most_entries is None and self.best is not None and few_entries:
+            few = self.evaluate(pi, cuts, few_entries[-1])
             if few.value <= self.best.value:
                 return few
         return self.evaluate(pi, cuts, most_entries)
