@@ -33,7 +33,7 @@ class Parameters:
     #: and of all together, at most
     first_pieces: int = 1500
     #: looks of ruin and recreate, for each target, at first and in a round that leaves a wide gap; iterations of one
-    annealing: float = 0.2
+    annealing: float = 0.1
     annealing_later: float = 0.3
     annealing_step: int = 500
     #: a gap below this share is small: no more tours are looked for, and sets are settled
@@ -42,9 +42,8 @@ class Parameters:
     timed: int = 5
     #: seconds for a choice among known routes
     choice_seconds: float = 0.5
-    #: labels of the first enumeration, by how much more each next one may grow, and the most
-    first_labels: int = 300_000
-    more_labels: float = 3.0
+    #: label extensions of an enumeration, for each extension of an entry that its prices have taken; and labels
+    enumeration: float = 2.5
     most_labels: int = 8_000_000
     #: an enumeration is tried again over the same pieces once only this share of the arcs is left
     fewer_arcs: float = 0.9
