@@ -45,7 +45,7 @@ class Options:
     time_limit: s, None for none; gap: relative gap (a fraction) at which a solve is optimal; verbose: let the solver
     print its log; start: tours of the instance, checked, to begin from, or None. A limit or KeyboardInterrupt ends a
     solve with what stands, never with an exception.
-    threads: at least 1. Neither the exact method nor SCIP's own search uses more than one.
+    threads: at least 1. SCIP's own search uses no more than one, and the exact method refuses more.
     seed: of the solver's own random choices. Our branch and bound has none, and COPT has no such parameter.
     progress: called with a Progress now and then. MOSEK does not, nor does a commercial solver with a Pyomo model.
     """

@@ -92,6 +92,8 @@ def _solve_exact(instance, options, modeler, solver, subtour_cuts):
             raise InputError(f'{name}: method "exact" has none, found {brief(value)}; {", ".join(METHODS)} have')
     if not subtour_cuts:
         raise InputError('subtour_cuts: False leaves out the cuts of a formulation, and method "exact" has none')
+    if options.threads > 1:
+        raise InputError(f'threads: method "exact" runs on one core, found {options.threads}; leave it at 1')
     from .exact import solve_exact
     from .warm_up import ensure_compiled
 

@@ -79,6 +79,7 @@ def test_a_target_at_the_depot_costs_nothing():
         ({"time_limit": float("nan")}, "time_limit"),
         ({"gap": -0.1}, "gap: expected a number of at least 0, found -0.1"),
         ({"threads": 0}, "threads: expected a whole number of at least 1, found 0"),
+        ({"threads": 2}, 'threads: method "exact" runs on one core, found 2; leave it at 1'),
         ({"seed": -1}, "seed: expected a whole number of at least 0, found -1"),
     ],
 )

@@ -20,7 +20,7 @@ _LEAST_GAP = 1e-7
 def solve_exact(instance, options, parameters=None):
     """Return a Solution of the instance, or what stands when a limit or Ctrl-C ends the run.
 
-    options: `options.Options`; threads has no effect, verbose prints a log. parameters: None for the defaults.
+    options: `options.Options`; threads is 1, verbose prints a log. parameters: None for the defaults.
     """
     graph = build_graph(instance)
     fleet = Fleet.of(graph)

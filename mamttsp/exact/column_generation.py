@@ -31,13 +31,14 @@ class Columns:
 class ColumnGeneration:
     """Column generation over one network after another; what it knows of routes and prices is taken along.
 
-    best: the Evaluation of the greatest bound over the present network, ng-sets and cuts, None before the first.
+    best: the Evaluation of the greatest bound over the present network, ng-sets and cuts, None before the first; work:
+    entries extended along arcs so far.
     """
 
     def __init__(self, network, n_targets, fleet, pi, parameters, unit):
         self.network, self.n, self.fleet, self.parameters, self.unit = network, n_targets, fleet, parameters, unit
         self.pi, self.cuts, self.best, self.support = pi, Cuts.none(n_targets), None, []
-        self.box, self.dropped_at = np.inf, np.inf
+        self.box, self.dropped_at, self.work = np.inf, np.inf, 0
         self.N = ngsets.nearest(network.pieces, network.arcs, n_targets, parameters.ng_size)
         self.columns = Columns([], [], [], [])
         self._fresh_master()
@@ -113,7 +114,9 @@ class ColumnGeneration:
         self._fresh_master()
 
     def evaluate(self, pi, cuts, most_entries=None):
-        return evaluate(self.network, ngsets.as_words(self.N), pi, cuts, self.fleet, self.tolerance, most_entries)
+        found = evaluate(self.network, ngsets.as_words(self.N), pi, cuts, self.fleet, self.tolerance, most_entries)
+        self.work += int(found.lists.count[self.network.arcs.head].sum())
+        return found
 
     def run(self, limit, clock, on_bound):
         """Raise the bound until the master agrees with it, it reaches the limit, or time is up; best is then set.
@@ -183,8 +186,9 @@ class ColumnGeneration:
 
     def _tried(self, pi, cuts, most_entries):
         """Return an Evaluation of so many entries; of fewer ones, if they tell already that it is no better."""
-        if most_entries is None and self.best is not None:
-            few = self.evaluate(pi, cuts, self.parameters.few_entries[-1])
+        few_entries = self.parameters.few_entries
+        if most_entries is None and self.best is not None and few_entries:
+            few = self.evaluate(pi, cuts, few_entries[-1])
             if few.value <= self.best.value:
                 return few
         return self.evaluate(pi, cuts, most_entries)

@@ -12,7 +12,7 @@ class Parameters:
     #: cycles of up to so many visits are forbidden at once when ng-sets grow
     longest_cycle: int = 5
     #: columns of an evaluation, and of them with the same first target
-    columns: int = 60
+    columns: int = 30
     columns_each: int = 5
     #: half the width of the box around the best prices, as a share of their mean
     box: float = 0.3
@@ -22,7 +22,7 @@ class Parameters:
     #: and steps without a better bound
     idle_steps: int = 20
     #: column generation ends when the bound is within this share of the gap of the master's value
-    converged: float = 0.02
+    converged: float = 0.05
     #: prices are moved with only so many entries of each piece at first, one after the other
     few_entries: tuple = (3, 8)
     #: arcs are dropped during column generation whenever the gap has shrunk to this share since the last time
@@ -42,9 +42,8 @@ class Parameters:
     timed: int = 5
     #: seconds for a choice among known routes
     choice_seconds: float = 0.5
-    #: labels of the first enumeration, by how much more each next one may grow, and the most
-    first_labels: int = 300_000
-    more_labels: float = 3.0
+    #: label extensions of an enumeration, for each extension of an entry that its prices have taken; and labels
+    enumeration: float = 1.5
     most_labels: int = 8_000_000
     #: an enumeration is tried again over the same pieces once only this share of the arcs is left
     fewer_arcs: float = 0.9

@@ -19,6 +19,8 @@ _BLINK = 0.01
 _SLACKS = (0.5, 0.0, 1.0)
 #: targets that a ruin takes out on average, and at most from one route
 _REMOVED, _STRING = 8, 10
+#: how often a ruin takes out the targets closest to one, wherever they are on the routes
+_RADIAL = 0.75
 
 
 class Annealing:
@@ -113,12 +115,24 @@ def _closeness(near):
 
 @compiled
 def _remove(seed, order, routes, length, absent):
-    """Take strings of neighbouring stops out of routes that come close to the seed target; return their targets,
-    together with `absent`, shuffled."""
+    """Take strings of neighbouring stops out of routes that come close to the seed target, or the targets closest to
+    it; return them, together with `absent`, shuffled."""
     m, n = routes.shape
     out = np.zeros(n, np.bool_)
     for w in absent:
         out[w] = True
+    if np.random.random() < _RADIAL:
+        for w in order[seed, : int(np.random.uniform(1.0, min(2.0 * _REMOVED, n) + 1.0))]:
+            out[w] = True
+        for k in range(m):
+            left = 0
+            for i in range(length[k]):
+                routes[k, left] = routes[k, i]
+                left += 0 if out[routes[k, i]] else 1
+            length[k] = left
+        bank = np.flatnonzero(out)
+        np.random.shuffle(bank)
+        return bank
     whole = np.ones(m, np.bool_)
     longest = max(1.0, min(_STRING, (n - len(absent)) / m))
     strings = int(np.random.uniform(1.0, 4.0 * _REMOVED / (1.0 + longest)))

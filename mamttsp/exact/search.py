@@ -29,7 +29,7 @@ class Search:
         self.standing = Standing(graph, fleet, gap)
         self.labels, self.columns, self.exhausted, self.enumerated, self.found = 0, 0, False, False, False
         self.unit, self.most_pieces = graph.size or 1.0, parameters.most_pieces
-        self.most_labels, self.means, self.first, self.fewer_arcs = parameters.first_labels, 0, True, np.inf
+        self.means, self.first, self.fewer_arcs = 0, True, np.inf
         if start:
             self.incumbent.offer(start)
 
@@ -120,7 +120,10 @@ class Search:
             return
         if routes:
             self.refine(routes)
-        else:
+            return
+        if not self.near() and (self.first or self.found):
+            self.search_tours(self.parameters.annealing_later)
+        if not self.over():
             self.strengthen(self.standing.bound - before >= self.parameters.worthwhile * (limit - before))
 
     def time_columns(self):
@@ -159,16 +162,15 @@ class Search:
 
     def enumerate(self, limit):
         """Enumerate all routes of solutions within the limit; return them if there were not too many, None else."""
-        evaluation = self.generation.evaluate(self.generation.pi, self.generation.cuts)
+        p, evaluation = self.parameters, self.generation.evaluate(self.generation.pi, self.generation.cuts)
         self.standing.raise_bound(evaluation.bound)
         slack = self.generation.best.slack(limit)
         routes = Enumeration(
-            evaluation, slack, self.n, self.m == 1, self.most_labels, self.clock.seconds * self.parameters.rate,
-            self.clock.out,
+            evaluation, slack, self.n, self.m == 1, p.most_labels,
+            min(p.enumeration * self.generation.work, p.rate * self.clock.seconds), self.clock.out,
         )  # fmt: skip
         self.labels += routes.size
         if not routes.complete:
-            self.most_labels = min(self.parameters.more_labels * self.most_labels, self.parameters.most_labels)
             self.report("labels")
             return None
         self.columns += len(routes.cost)
