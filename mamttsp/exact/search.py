@@ -104,8 +104,6 @@ class Search:
         if self.over():
             return
         self.time_columns()
-        if not self.near() and (self.first or self.found):
-            self.search_tours(self.parameters.annealing_later)
         limit = self.standing.limit
         network = generation.best.eliminated(limit, generation.tolerance)
         generation.narrowed(network)
