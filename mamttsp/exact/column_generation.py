@@ -141,8 +141,8 @@ class ColumnGeneration:
         for _ in range(p.most_steps):
             evaluation = self._tried(pi, cuts, most_entries)
             value, idle = evaluation.value, idle + 1
+            on_bound(evaluation.bound)
             if self.best is None or value > self.best.value:  # the first is at the best prices known
-                on_bound(evaluation.bound)
                 if self.best is not None and value > self.best.value + 0.3 * predicted:
                     box *= 1.5
                 self.best, idle = evaluation, 0

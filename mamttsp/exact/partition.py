@@ -49,6 +49,7 @@ def relax_choice(members, agents, cost, fleet, limit, unit, time_limit=np.inf, r
             return best
         bound, support, level, dual, part = found
         slack[alive] = np.minimum(slack[alive], part)
+        bound = bound if len(alive) == J else min(bound, limit)  # more is not proved without those dropped
         best = Relaxed(bound if best is None else max(bound, best.bound), alive[support], dual, slack.copy(), rows)
         if bound >= limit or len(alive) > _FEW or len(rows) >= _MOST_ROWS:
             return best
