@@ -14,6 +14,7 @@ from ..tours import check
 from ..validation import InputError
 from .campaigns.rows import tours_of
 from .campaigns.runs import profile
+from .claims.open_routes import open_route_bars, pairs_of
 from .summaries.published import CONDITIONS
 from .summaries.row_statistics import by_setting, conditions, of_runs, side_by_side, true_gaps
 
@@ -32,12 +33,24 @@ def our_sheets(reduced):
     table = by_setting(rows, [run for run in profile("reduced") if run.solver == "scip"]).reset_index()
     names = {"total_window": "total_window_s", "n": "targets", "route": "formulation"}
 
+    yield from paper_sheets(table.rename(columns=names), "ours", "Ours", _caption(rows))
+
+
+def open_sheets(reduced, longer):
+    """Yield the same figures with the best open route to each program; longer: rows of the campaign `claims`."""
+    bars = open_route_bars(reduced, longer)
+    yield from paper_sheets(bars, "open", "Best open routes", _caption(pairs_of(reduced, longer)))
+
+
+def _caption(rows):
+    """Return the caption of a figure of these rows, as a function of its bars."""
+
     def caption(bars):
         whole = f"{(bars.rows == bars.runs).sum()} of {len(bars)} bars have all their rows"
         counted = f"runs without a proof count at the limit, {bars.no_tours.sum()} without tours at 100 % gap"
         return f"{conditions(rows)}; means of {bars.runs.max()} instances. {whole}; {counted}."
 
-    yield from paper_sheets(table.rename(columns=names), "ours", "Ours", caption)
+    return caption
 
 
 def paper_sheets(rows, name, whose, caption):

@@ -18,6 +18,7 @@ from tests.experiments.made_up_rows import EXACT, solved, stopped, write_rows
 
 PUBLISHED = Path(__file__).parents[2] / "paper_results" / "published.csv"
 NAMES = ["paper-fig-2-published", "paper-fig-3-published", "paper-fig-1", "paper-fig-2-ours", "paper-fig-3-ours"]
+NAMES += ["paper-fig-2-open", "paper-fig-3-open"]
 NAMES += ["experiments-cactus", "experiments-profile", "experiments-true-gaps"]
 
 
@@ -47,7 +48,9 @@ def _fill(folder, three_agents):
     micp, base = ([key for key in keys if key["method"] == method] for method in ("micp", "baseline"))
     rows = [solved(2.0, **key) for key in micp[:-1]] + [stopped(110.0, 90.0, **key) for key in base[:-1]]
     others = [solved(9.0, modeler="cvxpy"), solved(9.0, time_limit=600)]  # of another campaign
+    rows += [solved(1.0, solver="clarabel", modeler="cvxpy", **key) for key in micp]
     write_rows(folder / "reduced.csv", [*rows, stopped(None, 10.0, **base[-1]), *others])
+    write_rows(folder / "claims_runs.csv", [])
     write_rows(folder / "exact.csv", [three_agents, solved(0.5, **EXACT), solved(0.5, **EXACT | {"total_window": 20})])
     shutil.copy(PUBLISHED, folder)
     (folder / "out").mkdir()
