@@ -22,15 +22,13 @@ def solve_exact(instance, options, parameters=None):
 
     options: `options.Options`; threads is 1, verbose prints a log. parameters: None for the defaults.
     """
-    graph = build_graph(instance)
+    graph, parameters = build_graph(instance), parameters or Parameters()
     fleet = Fleet.of(graph)
     progress = options.progress or (ProgressLog() if options.verbose else None)
     with Watch(options.time_limit) as clock:
-        annealing = Annealing(graph, range(instance.n_targets), fleet, options.seed)
+        annealing = Annealing(graph, range(instance.n_targets), fleet, parameters, options.seed)
         start = [_segments(graph, tour) for tour in options.start or ()]
-        search = Search(
-            graph, fleet, max(options.gap, _LEAST_GAP), clock, parameters or Parameters(), annealing, progress, start
-        )
+        search = Search(graph, fleet, max(options.gap, _LEAST_GAP), clock, parameters, annealing, progress, start)
         with contextlib.suppress(KeyboardInterrupt):  # from the progress callback; Ctrl-C itself is the clock's
             search.run()
     return _solution(search, clock.spent)

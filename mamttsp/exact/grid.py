@@ -11,8 +11,6 @@ import numpy as np
 from ..compiled import compiled
 from ..motion import TIME_SLACK
 
-_GRID = 24
-
 #: Flights on the grid, infinite where too late: `between` (P, P), its transpose `back`, from the depot `first` (P,), to
 #: the end `last` (P,); the points of target u are start[u]:start[u + 1]; near (n, n), near_first (n,),
 #: near_last (n,): the shortest flights between targets, depot and end, whatever their times
@@ -22,8 +20,8 @@ Network = namedtuple("Network", "between back first last start near near_first n
 Values = namedtuple("Values", "so_far to_go least_so_far least_to_go")
 
 
-def grid_points(graph, targets):
-    """Return (node, time, start, step): about _GRID points for each target, both ends of each of its segments among
+def grid_points(graph, targets, points):
+    """Return (node, time, start, step): about so many points for each target, both ends of each of its segments among
     them.
 
     Nodes are those of the graph's first layer. start: (n + 1,) where the points of each target begin; step: the longest
@@ -33,7 +31,7 @@ def grid_points(graph, targets):
     for u in targets:
         cluster = graph.C(u)
         cluster = cluster[graph.layer[cluster] == 0]
-        step = (graph.t_hi[cluster] - graph.t_lo[cluster]).sum() / _GRID
+        step = (graph.t_hi[cluster] - graph.t_lo[cluster]).sum() / points
         for i in cluster:
             duration = graph.t_hi[i] - graph.t_lo[i]
             grid = np.linspace(graph.t_lo[i], graph.t_hi[i], 1 + math.ceil(duration / step) if duration > 0 else 1)

@@ -36,6 +36,19 @@ class Parameters:
     annealing: float = 0.1
     annealing_later: float = 0.3
     annealing_step: int = 500
+    #: its time grid: points for each target; by how many steps a flight may come late, in turn: with 1.0 the grid holds
+    #: all routes, and proposes many that cannot be flown; with 0.0 whatever it holds can be flown
+    grid: int = 24
+    grid_slacks: tuple = (0.5, 0.0, 1.0)
+    #: targets that a ruin takes out on average, and at most as a string from one route; how often it takes the targets
+    #: closest to one instead, wherever they are; how often a place is overlooked on the way back
+    removed: float = 8.0
+    string: float = 10.0
+    radial: float = 0.75
+    blink: float = 0.01
+    #: heat of its annealing at first, as a share of the length; cost of a target left out, in sizes of the area
+    heat: float = 0.02
+    left_out: float = 4.0
     #: a gap below this share is small: no more tours are looked for, and sets are settled
     near: float = 0.01
     #: columns that are timed in a round, for each target
@@ -51,7 +64,7 @@ class Parameters:
     rate: float = 2e7
     #: a means of raising the bound is used again if it closed this share of the gap
     worthwhile: float = 0.05
-    #: subset-row cuts added at once, and by how much they must be violated
+    #: subset-row cuts added to the prices at once, and by how much they must be violated
     cuts: int = 15
     violation: float = 0.02
     #: sets of targets that are settled, and sequences of segments that are timed for one

@@ -6,6 +6,7 @@ segments.
 """
 
 import math
+from collections import namedtuple
 
 import numpy as np
 
@@ -13,23 +14,20 @@ from ..compiled import compiled
 from ..motion import earliest_meeting
 from .grid import Values, evaluate, grid_points, insertion, make_networks, of_layer, trace
 
-_BLINK = 0.01
-#: by how many steps of the grid a flight may come late, in turn: with 1.0 the grid holds all routes, and proposes many
-#: that cannot be flown; with 0.0 whatever it holds can be flown
-_SLACKS = (0.5, 0.0, 1.0)
-#: targets that a ruin takes out on average, and at most from one route
-_REMOVED, _STRING = 8, 10
-#: how often a ruin takes out the targets closest to one, wherever they are on the routes
-_RADIAL = 0.75
+#: What a ruin takes out, see `parameters.Parameters`: `removed` targets on average, of one route no more than `string`;
+#: `radial`: how often they are the closest ones; blink: how often a place is overlooked; heat: of annealing at first
+Ruins = namedtuple("Ruins", "removed string radial blink heat")
 
 
 class Annealing:
     """Ruin and recreate by simulated annealing, from nothing or on from where it stands. Deterministic for a seed."""
 
-    def __init__(self, graph, targets, fleet, seed=0):
-        self.m, self.n, self.seed, self.penalty = fleet.n_agents, len(targets), seed, 4.0 * graph.size
-        self.node, time, start, step = grid_points(graph, targets)
-        networks = [make_networks(graph, self.node, time, start, share * step) for share in _SLACKS]
+    def __init__(self, graph, targets, fleet, parameters, seed=0):
+        p = parameters
+        self.m, self.n, self.seed, self.penalty = fleet.n_agents, len(targets), seed, p.left_out * graph.size
+        self.ruins = Ruins(p.removed, p.string, p.radial, p.blink, p.heat)
+        self.node, time, start, step = grid_points(graph, targets, p.grid)
+        networks = [make_networks(graph, self.node, time, start, share * step) for share in p.grid_slacks]
         self.networks = [(by_layer, _closeness(by_layer.near)) for by_layer in networks]
         segment = np.c_[graph.p_lo, graph.v, graph.t_lo, graph.t_hi][self.node]
         self.motion = segment, graph.p_lo[graph.starts], graph.p_lo[graph.ends], graph.speeds, graph.horizon
@@ -43,12 +41,13 @@ class Annealing:
         and can be flown, or None while there are none."""
         self.seed += 1
         self.routes, self.length, length, points = ruin_and_recreate(
-            *self.networks[self.seed % len(_SLACKS)],
+            *self.networks[self.seed % len(self.networks)],
             *self.motion,
             *self.loads,
             self.routes,
             self.length,
             self.penalty,
+            self.ruins,
             iterations,
             warm,
             cool,
@@ -61,7 +60,7 @@ class Annealing:
 
 
 @compiled
-def _place(w, routes, length, cost, networks, values, layer, demand, room, arrive, leave):
+def _place(w, routes, length, cost, networks, values, layer, demand, room, blink, arrive, leave):
     """Return (k, i): the cheapest place to insert w, before stop i of route k; k = -1 if there is none."""
     best, best_k, best_i, seen_empty = np.inf, -1, -1, -1
     for k in range(len(length)):
@@ -72,7 +71,7 @@ def _place(w, routes, length, cost, networks, values, layer, demand, room, arriv
         if demand[w] + _load(routes[k], length[k], demand) > room[layer[k]]:
             continue
         for i in range(length[k] + 1):
-            if np.random.random() < _BLINK:
+            if np.random.random() < blink:
                 continue
             total = insertion(w, routes[k], length[k], i, networks[k], values[k], arrive, leave, best + cost[k])
             if total - cost[k] < best:
@@ -89,11 +88,11 @@ def _load(route, length, demand):
 
 
 @compiled
-def _insert_all(bank, routes, length, cost, networks, values, layer, demand, room, arrive, leave):
+def _insert_all(bank, routes, length, cost, networks, values, layer, demand, room, blink, arrive, leave):
     """Insert each target of the bank at its cheapest place; return those for which there is none."""
     left = 0
     for w in bank:
-        k, i = _place(w, routes, length, cost, networks, values, layer, demand, room, arrive, leave)
+        k, i = _place(w, routes, length, cost, networks, values, layer, demand, room, blink, arrive, leave)
         if k < 0:
             bank[left] = w
             left += 1
@@ -114,15 +113,15 @@ def _closeness(near):
 
 
 @compiled
-def _remove(seed, order, routes, length, absent):
+def _remove(seed, order, routes, length, absent, ruins):
     """Take strings of neighbouring stops out of routes that come close to the seed target, or the targets closest to
     it; return them, together with `absent`, shuffled."""
     m, n = routes.shape
     out = np.zeros(n, np.bool_)
     for w in absent:
         out[w] = True
-    if np.random.random() < _RADIAL:
-        for w in order[seed, : int(np.random.uniform(1.0, min(2.0 * _REMOVED, n) + 1.0))]:
+    if np.random.random() < ruins.radial:
+        for w in order[seed, : int(np.random.uniform(1.0, min(2.0 * ruins.removed, n) + 1.0))]:
             out[w] = True
         for k in range(m):
             left = 0
@@ -134,8 +133,8 @@ def _remove(seed, order, routes, length, absent):
         np.random.shuffle(bank)
         return bank
     whole = np.ones(m, np.bool_)
-    longest = max(1.0, min(_STRING, (n - len(absent)) / m))
-    strings = int(np.random.uniform(1.0, 4.0 * _REMOVED / (1.0 + longest)))
+    longest = max(1.0, min(ruins.string, (n - len(absent)) / m))
+    strings = int(np.random.uniform(1.0, 4.0 * ruins.removed / (1.0 + longest)))
     for w in order[seed]:
         for k in range(m):
             i = 0
@@ -180,8 +179,8 @@ def _absent(routes, length):
 
 @compiled
 def ruin_and_recreate(
-    by_layer, order, segment, depots, ends, speeds, horizon, layer, demand, room, routes, length, penalty, iterations,
-    warm, cool, seed,
+    by_layer, order, segment, depots, ends, speeds, horizon, layer, demand, room, routes, length, penalty, ruins,
+    iterations, warm, cool, seed,
 ):  # fmt: skip
     """Return (routes (m, n), length (m,), best_length (m,), points (m, n)): where annealing from the given routes ends,
     and the lengths and grid points of the best routes on the way; `penalty` for each target left out.
@@ -209,13 +208,15 @@ def ruin_and_recreate(
     changed = np.zeros(m, np.bool_)
     for it in range(iterations):
         kept_routes, kept_length, kept_cost, kept_absent = routes.copy(), length.copy(), cost.copy(), absent
-        bank = _remove(np.random.randint(n), order, routes, length, absent)
+        bank = _remove(np.random.randint(n), order, routes, length, absent, ruins)
         for k in range(m):
             if length[k] != kept_length[k]:
                 cost[k] = evaluate(routes[k], length[k], networks[k], values[k])
-        absent = _insert_all(bank, routes, length, cost, networks, values, layer, demand, room, arrive, leave)
+        absent = _insert_all(
+            bank, routes, length, cost, networks, values, layer, demand, room, ruins.blink, arrive, leave
+        )
         total = cost.sum() + penalty * len(absent)
-        heat = 0.02 * best * (warm + (cool - warm) * it / iterations) ** 2
+        heat = ruins.heat * best * (warm + (cool - warm) * it / iterations) ** 2
         accepted = total < now - heat * math.log(np.random.random() + 1e-300)
         for k in range(m):
             changed[k] = length[k] != kept_length[k]

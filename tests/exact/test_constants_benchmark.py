@@ -7,7 +7,7 @@ from mamttsp import generate
 from mamttsp.exact import Parameters
 
 #: limits of memory, time and accuracy, which are not weighed
-LIMITS = {"annealing_step", "choice_seconds", "most_labels", "rate", "most_pieces", "most_arcs", "thinnest"}
+LIMITS = {"annealing_step", "choice_seconds", "most_labels", "rate", "most_pieces", "most_arcs", "thinnest", "left_out"}
 
 
 def test_every_constant_is_varied_or_a_limit():
