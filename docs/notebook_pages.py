@@ -6,6 +6,7 @@ import re
 from pathlib import PurePosixPath
 
 IN_WORDS = "*In words:*"
+_TO_SOURCES = re.compile(r"\[([^\]]+)\]\((?:\.\./)+mamttsp/[^)]+\)")
 _TO_GLOSSARY = re.compile(r'\[([^\]]+)\]\((?:\.\./)+docs/glossary\.md(?: "([^"]+)")?\)')
 
 
@@ -90,11 +91,13 @@ def mark_columns(notebook):
 def lead_to_pages(notebook):
     """Let links to the repository's README and to docs/ lead to pages of the site; to the glossary, to the term itself.
 
-    The term is the link's title, or its text if there is none.
+    The term is the link's title, or its text if there is none. Of links to the package's own files, which have no page,
+    the text stays.
     """
     for cell in notebook["cells"]:
         if cell["cell_type"] == "markdown":
             text = "".join(cell["source"]).replace("(../README.md)", "(../index.md)")
+            text = _TO_SOURCES.sub(r"\1", text)
             cell["source"] = _TO_GLOSSARY.sub(_term, text).replace("../docs/", "../")
 
 

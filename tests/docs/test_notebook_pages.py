@@ -74,3 +74,9 @@ def test_links_to_docs_lead_to_pages_and_those_to_the_glossary_to_a_term():
         "[a](../index.md), [b](../references.md#b-2000), {term}`gap <gap>`{term}`cones <second-order cone>`"
     )
     assert untouched == "read('../docs/data')"
+
+
+def test_of_links_to_sources_the_text_stays():
+    notebook = {"cells": [prose("See [`mamttsp/a.md`](../mamttsp/a.md), [01](01-a.ipynb).")]}
+    pages.lead_to_pages(notebook)
+    assert notebook["cells"][0]["source"] == "See `mamttsp/a.md`, [01](01-a.ipynb)."
