@@ -16,6 +16,7 @@ from .priced_times import relaxed_view, tangents_view, tilt_view
 from .profiles import cactus_view, profile_view
 from .recording import Film
 from .relaxed_bounds import flow_view, growth_view, relaxation_view
+from .road import road_view
 from .runtimes import panels_view, runtime_gap_view
 from .sliders import explore
 from .style import COLOURS, LINES, MARKERS, save
@@ -47,6 +48,7 @@ __all__ = [
     "reach_view",
     "relaxation_view",
     "relaxed_view",
+    "road_view",
     "runtime_gap_view",
     "save",
     "sizes_view",
