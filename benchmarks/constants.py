@@ -17,7 +17,7 @@ import pandas as pd
 from tqdm import tqdm
 
 from benchmarks.readme import write_section
-from benchmarks.scale import PROVENANCE, markdown
+from benchmarks.solves import PROVENANCE, markdown
 from mamttsp import generate, load
 from mamttsp.exact import Parameters, solve_exact
 from mamttsp.experiments.campaigns.provenance import provenance

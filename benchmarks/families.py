@@ -9,21 +9,14 @@ paper_results/families.csv, the tables into README.md.
 
 import argparse
 import functools
-import multiprocessing
-import resource
-from concurrent.futures import ProcessPoolExecutor, as_completed
 from pathlib import Path
 
 import pandas as pd
-from tqdm import tqdm
 
 from benchmarks.readme import write_section
-from benchmarks.scale import PROVENANCE, markdown, phases
-from mamttsp import generate, paper_instance, solve
-from mamttsp.display import Trace
-from mamttsp.experiments.campaigns.provenance import provenance
+from benchmarks.solves import add_rows, answer, markdown, read_rows, without_row
+from mamttsp import generate
 from mamttsp.library import beyond_the_paper, make, parameters
-from mamttsp.warm_up import ensure_compiled
 
 RESULTS = Path(__file__).parent.parent / "paper_results" / "families.csv"
 KEY = ["family", "seed", "time_limit"]
@@ -69,26 +62,15 @@ def open_at_once(instance):
 
 
 def run(family, seed, time_limit):
-    """Solve an instance; return the answer, and where the time went, phase by phase in s. Compiled code is loaded
-    before."""
-    ensure_compiled()
-    solve(paper_instance(15, 0, 40, 2))
-    trace, instance = Trace(), FAMILIES[family](seed)
-    solution = solve(instance, time_limit=time_limit, progress=trace)
+    """Solve an instance; return its row, see `solves.answer`."""
+    instance = FAMILIES[family](seed)
     row = dict(zip(KEY, (family, seed, time_limit))) | {"open_at_once": round(open_at_once(instance), 2)}
-    row |= {"status": solution.status, "tours": len(solution.tours)}
-    row |= {"objective": solution.objective, "bound": solution.bound}
-    row |= {"gap_percent": None if solution.gap is None else 100 * solution.gap, "solve_time_s": solution.runtime}
-    row |= {"labels": solution.nodes, "columns": trace.steps[-1].columns}
-    row |= {"memory_mb": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1000}
-    return row | {"last_phase": trace.steps[-1].phase, **phases(trace.steps)}
+    return row | answer(instance, time_limit)
 
 
 def runs_left(rows, families, seeds, time_limit):
     """Return the arguments of the runs without a row."""
-    done = {tuple(row[name] for name in KEY) for row in rows}
-    runs = [(family, seed, time_limit) for family in families for seed in seeds]
-    return [arguments for arguments in runs if arguments not in done]
+    return without_row([(family, seed, time_limit) for family in families for seed in seeds], rows, KEY)
 
 
 def summary(rows):
@@ -121,15 +103,9 @@ def main():
     parser.add_argument("--time-limit", type=float, default=600.0, help="s for each run")
     parser.add_argument("--jobs", type=int, default=1, help="runs at the same time")
     given = parser.parse_args()
-    rows = pd.read_csv(given.results).to_dict("records") if given.results.exists() else []
-    about = {name: value for name, value in provenance(given.jobs).items() if name in PROVENANCE}
-    fresh = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(given.jobs, mp_context=fresh, max_tasks_per_child=1) as pool:
-        runs = runs_left(rows, given.families, given.seeds, given.time_limit)
-        left = [pool.submit(run, *arguments) for arguments in runs]
-        for done in tqdm(as_completed(left), total=len(left), unit="run"):
-            rows.append(done.result() | about)
-            pd.DataFrame(rows).to_csv(given.results, index=False)
+    rows = read_rows(given.results)
+    left = runs_left(rows, given.families, given.seeds, given.time_limit)
+    rows = add_rows(given.results, rows, run, left, given.jobs)
     if given.results == RESULTS:
         write_section("families.py", list(table(rows)))
 

@@ -5,6 +5,7 @@ every solution, whatever pi and whatever sigma <= 0. An Evaluation holds it with
 """
 
 import dataclasses
+import functools
 from typing import NamedTuple
 
 import numpy as np
@@ -15,9 +16,6 @@ from .elimination import arcs_alive
 from .fleet import Fleet
 from .legs import least, share_before
 from .pieces import Arcs, Pieces, all_arcs, finer, finer_arcs, make_pieces, select
-
-#: more entries than any list has
-_ALL = 1 << 40
 
 
 class Network(NamedTuple):
@@ -91,7 +89,7 @@ class Evaluation:
     def arcs(self):
         return self.network.arcs
 
-    @property
+    @functools.cached_property
     def cheapest(self):
         """(K,) the least reduced cost of an ng-route of each layer."""
         least = np.full(len(self.fleet.counts), np.inf)
@@ -103,7 +101,7 @@ class Evaluation:
         """What all prices are worth, where every target is served once."""
         return float(self.pi.sum() + self.cuts.sigma.sum())
 
-    @property
+    @functools.cached_property
     def value(self):
         return self.constant + self.fleet.total(self.cheapest)
 
@@ -183,7 +181,5 @@ def evaluate(network, N, pi, cuts, fleet, tolerance, most_entries=None):
 
 
 def _values(side, prices, tolerance, most_entries=None):
-    n = len(prices.pi)
-    if most_entries is None:
-        return ngroutes.values_to_go(side, prices, tolerance, n, _ALL)[0]
-    return ngroutes.values_to_go(side, prices, tolerance, n, most_entries)[0]
+    most = ngroutes.ALL_ENTRIES if most_entries is None else most_entries
+    return ngroutes.values_to_go(side, prices, tolerance, len(prices.pi), most)[0]

@@ -22,6 +22,9 @@ from ..compiled import compiled, inlined
 from .legs import before_leg, least, share_before
 from .sets import add, grown, has, same, subset
 
+#: more entries than any list has
+ALL_ENTRIES = 1 << 40
+
 
 class Side(NamedTuple):
     """The pieces and arcs as seen in one direction of time.

@@ -7,8 +7,6 @@ import numpy as np
 
 #: most that the master pays for a route that is needed only because so many are, in units
 _NEEDED = 2.0
-
-
 #: HiGHS's number for the primal simplex method
 _PRIMAL = 4
 

@@ -51,7 +51,7 @@ class Search:
     def run(self):
         """Run until the gap is closed, infeasibility is proved or time is up."""
         self.search_tours(self.parameters.annealing)
-        self.width = max(self.first_width(), 1e-6 * self.graph.horizon)
+        self.width = self.first_width()
         network = first_network(self.graph, even_cuts(self.graph, self.graph.V_seg, self.width), range(self.n))
         self.generation = ColumnGeneration(
             network, self.n, self.fleet, self.first_prices(), self.parameters, self.unit
@@ -66,7 +66,7 @@ class Search:
         start, end = graph.t_lo[graph.V_seg], graph.t_hi[graph.V_seg]
         windows, of_targets = (end - start).sum(), self.n * graph.n_layers
         width = min(p.piece * (end.max() - start.min()) / self.n, windows / (of_targets * p.pieces_each))
-        return max(width, windows / p.first_pieces)
+        return max(width, windows / p.first_pieces, 1e-6 * graph.horizon)
 
     def first_prices(self):
         """Return (n,) half of the legs to and from each target in the incumbent, damped; even prices without one."""

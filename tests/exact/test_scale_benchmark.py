@@ -4,6 +4,7 @@ import pandas as pd
 import pytest
 
 from benchmarks import scale as benchmark
+from benchmarks.solves import PHASES, phases
 from mamttsp.options import Progress
 
 
@@ -13,7 +14,7 @@ def _step(time, phase):
 
 def test_a_phase_is_charged_up_to_the_step_that_ends_it():
     steps = [_step(1.0, "heuristic"), _step(3.0, "prices"), _step(3.5, "heuristic"), _step(7.0, "prices")]
-    spent = benchmark.phases(steps)
+    spent = phases(steps)
     assert spent["rounds"] == 2
     assert (spent["heuristic_s"], spent["prices_s"], spent["settle_s"]) == (1.5, 5.5, 0.0)
 
@@ -29,5 +30,5 @@ def test_what_has_a_row_is_not_run_again(tmp_path):
 def test_a_row_holds_what_the_solve_proved():
     row = benchmark.run(5, 2, 150, 4, 0, 30.0)
     assert row["status"] == "optimal" and row["bound"] <= row["objective"] and row["gap_percent"] <= 0.01
-    spent = sum(row[f"{phase}_s"] for phase in benchmark.PHASES)
+    spent = sum(row[f"{phase}_s"] for phase in PHASES)
     assert spent == pytest.approx(row["solve_time_s"], abs=0.2)
