@@ -57,6 +57,8 @@ class Parameters:
     choice_seconds: float = 0.5
     #: label extensions of an enumeration, for each extension of an entry that its prices have taken; and labels
     enumeration: float = 1.5
+    #: and for one agent before pieces are made shorter
+    enumeration_last: float = 15.0
     most_labels: int = 8_000_000
     #: an enumeration is tried again over the same pieces once only this share of the arcs is left
     fewer_arcs: float = 0.9

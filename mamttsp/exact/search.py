@@ -113,16 +113,20 @@ class Search:
         routes = None
         if len(network.arcs.head) <= self.fewer_arcs:
             self.fewer_arcs = self.parameters.fewer_arcs * len(network.arcs.head)
-            routes = self.enumerate(limit)
+            routes = self.enumerate(limit, self.parameters.enumeration)
         if self.over():
             return
-        if routes:
-            self.refine(routes)
-            return
-        if not self.near() and (self.first or self.found):
-            self.search_tours(self.parameters.annealing_later)
+        if not routes:
+            if not self.near() and (self.first or self.found):
+                self.search_tours(self.parameters.annealing_later)
+            worthwhile = self.standing.bound - before >= self.parameters.worthwhile * (limit - before)
+            if self.over() or self.strengthen(worthwhile):
+                return
+            # Shorter pieces make more labels of the same routes: with a wide gap these are the fewest there will be.
+            if self.m == 1:
+                routes = self.enumerate(self.standing.limit, self.parameters.enumeration_last)
         if not self.over():
-            self.strengthen(self.standing.bound - before >= self.parameters.worthwhile * (limit - before))
+            self.refine(routes)
 
     def time_columns(self):
         """Time the elementary columns of least reduced cost, and choose among all routes known."""
@@ -134,17 +138,17 @@ class Search:
         self.recombine()
 
     def strengthen(self, worthwhile):
-        """Raise the bound by the present means, if it was worthwhile, or by the next one: larger ng-sets, subset-row
-        cuts, shorter pieces."""
+        """Go on with the present means of raising the bound over these pieces, if it was worthwhile, or with the next
+        one: larger ng-sets, subset-row cuts; return False if there is none left."""
         if not (worthwhile or self.first):  # the first round over new pieces says nothing of either
             self.means += 1
         self.first = False
         if self.means == 0 and self.generation.grow(self.generation.cyclic(self.m == 1)):
-            return
+            return True
         if self.means <= 1 and self.m > 1 and self.add_cuts():
             self.means = 1
-            return
-        self.refine()
+            return True
+        return False
 
     def add_cuts(self):
         generation = self.generation
@@ -158,14 +162,14 @@ class Search:
         generation.add_cuts(rows, memory)
         return True
 
-    def enumerate(self, limit):
+    def enumerate(self, limit, effort):
         """Enumerate all routes of solutions within the limit; return them if there were not too many, None else."""
         p, evaluation = self.parameters, self.generation.evaluate(self.generation.pi, self.generation.cuts)
         self.standing.raise_bound(evaluation.bound)
         slack = self.generation.best.slack(limit)
         routes = Enumeration(
             evaluation, slack, self.n, self.m == 1, p.most_labels,
-            min(p.enumeration * self.generation.work, p.rate * self.clock.seconds), self.clock.out,
+            min(effort * self.generation.work, p.rate * self.clock.seconds), self.clock.out,
         )  # fmt: skip
         self.labels += routes.size
         if not routes.complete:
