@@ -118,19 +118,17 @@ class ColumnGeneration:
         self.work += int(found.lists.count[self.network.arcs.head].sum())
         return found
 
-    def run(self, limit, clock, on_bound):
-        """Raise the bound until the master agrees with it, it reaches the limit, or time is up; best is then set.
+    def run(self, most_entries, limit, clock, on_bound):
+        """Move the prices by evaluations of so many entries a piece, None for all, until the master agrees with them,
+        the bound reaches the limit, or time is up; best is then an evaluation of all entries, unless time is up.
 
         Arcs that no solution below the limit uses are dropped on the way. on_bound: told each bound.
         """
-        for most_entries in self.parameters.few_entries:
-            self._converge(limit, clock, on_bound, most_entries)
-            if clock.out():
-                break
+        self._converge(limit, clock, on_bound, most_entries)
+        if most_entries is not None and not clock.out():
             self.best = self.evaluate(self.pi, self.cuts)
             on_bound(self.best.bound)
             self._drop(limit)
-        self._converge(limit, clock, on_bound, None)
 
     def _converge(self, limit, clock, on_bound, most_entries):
         """Move the prices until the master agrees with what evaluations of so many entries a piece find."""

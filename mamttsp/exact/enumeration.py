@@ -10,15 +10,16 @@ class Enumeration:
     """All labels that can be completed within the slack (K,) of their layer in reduced cost, grown from the depot over
     an evaluation's arcs.
 
-    complete: False if it needed more than `most` labels or `budget` extensions; it then proves nothing.
+    complete: False if it needed more than `most` labels or `budget` extensions, or more time than the clock has left,
+    at `rate` extensions per s; it then proves nothing.
     One column for each closed route: visited (J, W); agents (J,) its layer of the graph; cost (J,) lower bound on its
     length; reduced (J,) its least reduced cost, spare (J,) what that leaves of the slack. depth, label: (J,) where it
     ends.
     """
 
-    def __init__(self, evaluation, slack, n_targets, whole, most, budget, out_of_time):
+    def __init__(self, evaluation, slack, n_targets, whole, most, budget, rate, clock):
         self.pieces, self.n, self.complete, self.layers, self.links = evaluation.pieces, n_targets, True, [], []
-        self._grow(evaluation, slack, most, budget, out_of_time)
+        self._grow(evaluation, slack, most, budget, rate, clock)
         if self.complete:
             self._collect(evaluation, slack, whole)
 
@@ -26,16 +27,16 @@ class Enumeration:
     def size(self):
         return sum(len(layer.left) for layer in self.layers)
 
-    def _grow(self, evaluation, slack, most, budget, out_of_time):
+    def _grow(self, evaluation, slack, most, budget, rate, clock):
         pieces, prices, lists = evaluation.pieces, evaluation.prices, evaluation.lists
         self.layers.append(lab.first_labels(pieces, prices, lists, slack))
         while len(self.layers) < self.n and len(self.layers[-1].left):
-            room = max(float(most - self.size), 0.0)
+            room, left = max(float(most - self.size), 0.0), float(min(budget, rate * clock.seconds))
             layer, links, tried, self.complete = lab.extend(
-                self.layers[-1], pieces, evaluation.arcs, prices, lists, slack, room, float(budget)
+                self.layers[-1], pieces, evaluation.arcs, prices, lists, slack, room, left
             )
             budget -= tried
-            self.complete = self.complete and not out_of_time()
+            self.complete = self.complete and not clock.out()
             if not self.complete:
                 return
             self.layers.append(layer)

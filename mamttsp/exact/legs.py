@@ -42,6 +42,7 @@ def before_leg(c, slope_q, slope_r, left, right, width_q, width_r, gap, speed):
     if more < 0.0:
         # A kink inside q: of the lines between the two, the one that falls short of both equally at the ends.
         weight = (more + rise_more) / rise_more if more + rise_more > 0.0 else 0.0
+        weight = min(weight, speed * (width_q + width_r) / -more)  # no more than can be flown within both
         more, rise_more = weight * more, weight * rise_more
     return free + more, free + more + rise_free + rise_more
 

@@ -55,15 +55,16 @@ class Parameters:
     timed: int = 5
     #: seconds for a choice among known routes
     choice_seconds: float = 0.5
-    #: label extensions of an enumeration, for each extension of an entry that its prices have taken; and labels
+    #: label extensions of an enumeration, for each extension of an entry that prices have taken; for one agent also
+    #: early, before prices have moved with all entries, and as a last try before pieces get shorter; labels, at most
     enumeration: float = 1.5
-    #: and for one agent before pieces are made shorter
+    enumeration_early: float = 0.5
     enumeration_last: float = 15.0
     most_labels: int = 8_000_000
     #: an enumeration is tried again over the same pieces once only this share of the arcs is left
     fewer_arcs: float = 0.9
     #: label extensions per second, an underestimate, to stop in time
-    rate: float = 2e7
+    rate: float = 8e6
     #: a means of raising the bound is used again if it closed this share of the gap
     worthwhile: float = 0.05
     #: subset-row cuts added to the prices at once, and by how much they must be violated

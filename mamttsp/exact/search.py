@@ -97,36 +97,41 @@ class Search:
 
     def round(self):
         """Raise the bound over the present pieces, drop what is beyond the limit, and try to enumerate the rest."""
-        generation, before = self.generation, self.standing.bound
-        generation.offer_incumbent(self.incumbent)
-        generation.run(self.standing.limit, self.clock, self.standing.raise_bound)
-        self.report("prices")
-        if self.over():
-            return
-        self.time_columns()
-        limit = self.standing.limit
-        network = generation.best.eliminated(limit, generation.tolerance)
-        generation.narrowed(network)
-        self.report("elimination")
-        if self.clock.out():
-            return
-        routes = None
-        if len(network.arcs.head) <= self.fewer_arcs:
-            self.fewer_arcs = self.parameters.fewer_arcs * len(network.arcs.head)
-            routes = self.enumerate(limit, self.parameters.enumeration)
-        if self.over():
-            return
-        if not routes:
+        p, before, routes = self.parameters, self.standing.bound, None
+        self.generation.offer_incumbent(self.incumbent)
+        for most_entries in (*p.few_entries, None):
+            routes = self.stage(most_entries)
+            if routes or self.over():
+                break
+        if not routes and not self.over():
             if not self.near() and (self.first or self.found):
-                self.search_tours(self.parameters.annealing_later)
-            worthwhile = self.standing.bound - before >= self.parameters.worthwhile * (limit - before)
+                self.search_tours(p.annealing_later)
+            worthwhile = self.standing.bound - before >= p.worthwhile * (self.standing.limit - before)
             if self.over() or self.strengthen(worthwhile):
                 return
             # Shorter pieces make more labels of the same routes: with a wide gap these are the fewest there will be.
             if self.m == 1:
-                routes = self.enumerate(self.standing.limit, self.parameters.enumeration_last)
+                routes = self.enumerate(p.enumeration_last)
         if not self.over():
             self.refine(routes)
+
+    def stage(self, most_entries):
+        """Move the prices with so many entries of each piece, and eliminate; return all routes if they are few."""
+        p, generation = self.parameters, self.generation
+        generation.run(most_entries, self.standing.limit, self.clock, self.standing.raise_bound)
+        self.report("prices")
+        if self.over():
+            return None
+        if most_entries is not None:
+            return self.enumerate(p.enumeration_early) if self.first and self.m == 1 else None
+        self.time_columns()
+        network = generation.best.eliminated(self.standing.limit, generation.tolerance)
+        generation.narrowed(network)
+        self.report("elimination")
+        if self.clock.out() or len(network.arcs.head) > self.fewer_arcs:
+            return None
+        self.fewer_arcs = p.fewer_arcs * len(network.arcs.head)
+        return self.enumerate(p.enumeration)
 
     def time_columns(self):
         """Time the elementary columns of least reduced cost, and choose among all routes known."""
@@ -162,14 +167,15 @@ class Search:
         generation.add_cuts(rows, memory)
         return True
 
-    def enumerate(self, limit, effort):
-        """Enumerate all routes of solutions within the limit; return them if there were not too many, None else."""
-        p, evaluation = self.parameters, self.generation.evaluate(self.generation.pi, self.generation.cuts)
+    def enumerate(self, effort):
+        """Enumerate all routes of solutions within the limit, extending `effort` labels for each entry that prices
+        have extended; return them if that was enough, None else."""
+        p, limit = self.parameters, self.standing.limit
+        evaluation = self.generation.evaluate(self.generation.pi, self.generation.cuts)
         self.standing.raise_bound(evaluation.bound)
         slack = self.generation.best.slack(limit)
         routes = Enumeration(
-            evaluation, slack, self.n, self.m == 1, p.most_labels,
-            min(effort * self.generation.work, p.rate * self.clock.seconds), self.clock.out,
+            evaluation, slack, self.n, self.m == 1, p.most_labels, effort * self.generation.work, p.rate, self.clock
         )  # fmt: skip
         self.labels += routes.size
         if not routes.complete:
