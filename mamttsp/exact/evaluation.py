@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from . import ngroutes
-from .cuts import Cuts
+from .cuts import Cuts, times_paid
 from .elimination import arcs_alive
 from .fleet import Fleet
 from .legs import least, share_before
@@ -141,11 +141,12 @@ class Evaluation:
 
     def length(self, route):
         """Return the least length of a route of pieces that the values along it prove at these prices."""
-        pieces, q = self.pieces, route[0]
-        left, right, times = ngroutes.value_along(self.network.ahead, self.prices, route)
+        pieces, prices, q = self.pieces, self.prices, route[0]
+        left, right = ngroutes.value_along(self.network.ahead, prices, route)
         share = share_before(pieces.ready[q], pieces.a[q], pieces.b[q] - pieces.a[q])
         value = least(pieces.first[q, 0] + left, pieces.first[q, 1] + right, share)
-        return value + self.pi[pieces.target[route[1:]]].sum() + self.prices.sigma @ times
+        paid = prices.sigma @ times_paid(pieces.target[route], prices.inside, prices.kept)
+        return value + self.pi[pieces.target[route[1:]]].sum() + paid
 
     def eliminated(self, limit, tolerance):
         """Return the Network of what lies on a relaxed solution of value at most `limit`."""
@@ -182,4 +183,4 @@ def evaluate(network, N, pi, cuts, fleet, tolerance, most_entries=None):
 
 def _values(side, prices, tolerance, most_entries=None):
     most = ngroutes.ALL_ENTRIES if most_entries is None else most_entries
-    return ngroutes.values_to_go(side, prices, tolerance, len(prices.pi), most)[0]
+    return ngroutes.values_to_go(side, prices, tolerance, len(prices.pi), most)

@@ -29,13 +29,12 @@ ALL_ENTRIES = 1 << 40
 class Side(NamedTuple):
     """The pieces and arcs as seen in one direction of time.
 
-    order: (Q,) pieces, the last first; place: (Q,) where each is in `order`; target, layer, a, width: (Q,); end: (Q, 2)
-    the leg home at both ends of a piece; start, head, leg: as in Arcs; back_start, back: the tails of the arcs into
-    each piece; speed, demand, room: as in Pieces.
+    order: (Q,) pieces, the last first; target, layer, a, width: (Q,); end: (Q, 2) the leg home at both ends of a piece;
+    start, head, leg: as in Arcs; back_start, back: the tails of the arcs into each piece; speed, demand, room: as in
+    Pieces.
     """
 
     order: np.ndarray
-    place: np.ndarray
     target: np.ndarray
     layer: np.ndarray
     a: np.ndarray
@@ -91,13 +90,9 @@ def sides(pieces, arcs):
 
 
 def _side(pieces, a, end, start, head, leg, back_start, back):
-    order = np.argsort(-a, kind="stable")
-    place = np.empty(len(order), np.int64)
-    place[order] = np.arange(len(order))
-    width = pieces.b - pieces.a
     return Side(
-        order, place, pieces.target, pieces.layer, a, width, end, start, head, leg, back_start, back, pieces.speed,
-        pieces.demand, pieces.room,
+        np.argsort(-a, kind="stable"), pieces.target, pieces.layer, a, pieces.b - pieces.a, end, start, head, leg,
+        back_start, back, pieces.speed, pieces.demand, pieces.room,
     )  # fmt: skip
 
 
@@ -217,7 +212,7 @@ def _room(size, W):
 
 @compiled
 def values_to_go(side, prices, tolerance, most_passes, most_entries):
-    """Return (lists, passes): the values to go of each piece, its own multiplier not included.
+    """Return the Lists of values to go of each piece, its own multiplier not included.
 
     tolerance: a change of a value that counts as none; most_entries: of one piece: with fewer than there are the values
     are those of some ng-routes, and bound nothing.
@@ -228,11 +223,10 @@ def values_to_go(side, prices, tolerance, most_passes, most_entries):
         np.zeros(Q, np.int64), np.zeros(Q, np.int64), np.empty((size, W), np.uint64), np.empty(size, np.uint64),
         np.empty(size), np.empty(size), np.empty(size),
     )  # fmt: skip
-    used, passes, again = np.int64(0), 0, True
+    used, passes = np.int64(0), 0
     work = _room(np.int64(256), W)
     dirty = np.ones(Q, np.bool_)
-    while again and passes < most_passes:
-        again = False
+    while passes < most_passes and dirty.any():
         passes += 1
         for q in side.order:
             if not dirty[q]:
@@ -254,11 +248,8 @@ def values_to_go(side, prices, tolerance, most_passes, most_entries):
                 used += known
             _store(work, known, lists, q)
             for k in range(side.back_start[q], side.back_start[q + 1]):
-                p = side.back[k]
-                if not dirty[p]:
-                    dirty[p] = True
-                    again = again or side.place[p] <= side.place[q]
-    return lists, passes
+                dirty[side.back[k]] = True
+    return lists
 
 
 @compiled
@@ -351,30 +342,25 @@ def trace(side, prices, lists, q, x, longest):
 
 @compiled
 def value_along(side, prices, route):
-    """Return (left, right, times): the values to go at the first piece of a route of pieces, with what its own visit
-    pays of the subset-row cuts, and how often the route pays each of them."""
-    K = len(route)
-    left, right = side.end[route[K - 1]]
-    times, odd = np.zeros(64), np.uint64(0)
-    for i in range(K - 1, 0, -1):
-        q, r = route[i - 1], route[i]
-        w = side.target[r]
-        for k in range(side.start[q], side.start[q + 1]):
-            if side.head[k] == r:
-                left, right = before_leg(
-                    side.leg[k, 0], side.leg[k, 1], side.leg[k, 2], left, right, side.width[q], side.width[r],
-                    side.a[r] - side.a[q], side.speed[side.layer[q]],
-                )  # fmt: skip
-                break
-        hits = odd & prices.inside[w]
-        pay = penalty(hits, prices.sigma) - prices.pi[w]
-        left, right = left + pay, right + pay
-        for bit in range(64):
-            times[bit] += (hits >> np.uint64(bit)) & np.uint64(1)
-        odd = (odd ^ prices.inside[w]) & prices.kept[side.target[q]]
-    hits = odd & prices.inside[side.target[route[0]]]
-    pay = penalty(hits, prices.sigma)
-    left, right = left + pay, right + pay
-    for bit in range(64):
-        times[bit] += (hits >> np.uint64(bit)) & np.uint64(1)
-    return left, right, times
+    """Return (left, right): the values to go at the first piece of a route of pieces, with what its own visit pays of
+    the subset-row cuts."""
+    pay, odd = 0.0, np.uint64(0)
+    left, right = side.end[route[-1]]
+    for i in range(len(route) - 1, -1, -1):
+        q = route[i]
+        u = side.target[q]
+        if i < len(route) - 1:
+            r = route[i + 1]
+            for k in range(side.start[q], side.start[q + 1]):
+                if side.head[k] == r:
+                    left, right = before_leg(
+                        side.leg[k, 0], side.leg[k, 1], side.leg[k, 2], left, right, side.width[q], side.width[r],
+                        side.a[r] - side.a[q], side.speed[side.layer[q]],
+                    )  # fmt: skip
+                    break
+            left += pay
+            right += pay
+        odd &= prices.kept[u]
+        pay = penalty(odd & prices.inside[u], prices.sigma) - (prices.pi[u] if i > 0 else 0.0)
+        odd ^= prices.inside[u]
+    return left + pay, right + pay

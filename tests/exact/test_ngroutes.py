@@ -93,7 +93,7 @@ def _entries(lists, q):
 
 
 def _values(side, prices):
-    return ngroutes.values_to_go(side, prices, 0.0, len(prices.pi), ngroutes.ALL_ENTRIES)[0]
+    return ngroutes.values_to_go(side, prices, 0.0, len(prices.pi), ngroutes.ALL_ENTRIES)
 
 
 @pytest.mark.parametrize("seed, width, kind", list(itertools.product(SEEDS, WIDTHS, KINDS)))
