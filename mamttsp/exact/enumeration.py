@@ -28,7 +28,7 @@ class Enumeration:
 
     def _grow(self, evaluation, slack, most, budget, out_of_time):
         pieces, prices, lists = evaluation.pieces, evaluation.prices, evaluation.lists
-        self.layers.append(lab.first_labels(pieces, prices, lists, slack))
+        self.layers.append(lab.first_labels(evaluation, slack))
         while len(self.layers) < self.n and len(self.layers[-1].left):
             room = max(float(most - self.size), 0.0)
             layer, links, tried, self.complete = lab.extend(
