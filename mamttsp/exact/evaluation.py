@@ -59,7 +59,7 @@ def restricted(network, alive, starts, ends):
 def refined(network, graph, width, centre, targets):
     """Return the Network with every piece cut into parts of about `width` s, those of the visit times `centre` among
     them."""
-    segment, a, b, origin = finer(network.pieces, range(len(network.pieces.a)), width, centre)
+    segment, a, b, origin = finer(network.pieces, width, centre)
     pieces = make_pieces(graph, segment, a, b, targets)
     return make_network(pieces, finer_arcs(pieces, origin, network.arcs), network.starts[origin], network.ends[origin])
 
