@@ -16,6 +16,7 @@ from .elimination import arcs_alive
 from .fleet import Fleet
 from .legs import least, share_before
 from .pieces import Arcs, Pieces, all_arcs, finer, finer_arcs, make_pieces, select
+from .sets import to_words
 
 
 class Network(NamedTuple):
@@ -71,7 +72,6 @@ class Evaluation:
     were looked at: value then is only at least L, and bound -infinity."""
 
     network: Network
-    N: np.ndarray
     pi: np.ndarray
     cuts: Cuts
     fleet: Fleet
@@ -170,14 +170,15 @@ def _flipped(lists):
 def evaluate(network, N, pi, cuts, fleet, tolerance, most_entries=None):
     """Return the Evaluation at multipliers pi; values that change by less than `tolerance` count as unchanged.
 
-    most_entries: of a piece's list; with fewer than there are the Evaluation is not complete.
+    N: (n, n) bool, the ng-sets; most_entries: of a piece's list; with fewer than there are the Evaluation is not
+    complete.
     """
-    prices = ngroutes.Prices(pi, N, *cuts.words)
+    prices = ngroutes.Prices(pi, to_words(N), *cuts.words)
     lists = _values(network.ahead, prices, tolerance, most_entries)
     cost, entry = ngroutes.cheapest_starts(network.pieces, prices, lists)
     n = len(pi)
     return Evaluation(
-        network, N, pi, cuts, fleet, prices, lists, cost - n * tolerance, entry, most_entries is None
+        network, pi, cuts, fleet, prices, lists, cost - n * tolerance, entry, most_entries is None
     )  # fmt: skip
 
 

@@ -76,11 +76,12 @@ def first_labels(evaluation, slack):
     may begin."""
     pieces, prices = evaluation.pieces, evaluation.prices
     piece = np.flatnonzero(evaluation.cost <= slack[pieces.layer])
-    u, layer = pieces.target[piece], pieces.layer[piece]
+    u, layer, parent = pieces.target[piece], pieces.layer[piece], np.full(len(piece), -1, np.int32)
+    visited = to_words(u[:, None] == np.arange(len(prices.pi)))
     left, right = (pieces.first[piece] - prices.pi[u][:, None]).T.copy()
     return Labels(
-        to_words(u[:, None], len(prices.pi)), prices.inside[u], pieces.demand[layer, u], piece.astype(np.int32),
-        left, right, pieces.ready[piece], np.full(len(piece), -1, np.int32),
+        visited, prices.inside[u], pieces.demand[layer, u], piece.astype(np.int32), left, right, pieces.ready[piece],
+        parent,
     )  # fmt: skip
 
 
