@@ -28,7 +28,7 @@ class Annealing:
         self.ruins = Ruins(p.removed, p.string, p.radial, p.blink, p.heat)
         self.node, time, start, step = grid_points(graph, targets, p.grid)
         networks = [make_networks(graph, self.node, time, start, share * step) for share in p.grid_slacks]
-        self.networks = [(by_layer, _closeness(by_layer.near)) for by_layer in networks]
+        self.networks = [(by_layer, _closeness(by_layer.near[:, :-1, :-1])) for by_layer in networks]
         segment = np.c_[graph.p_lo, graph.v, graph.t_lo, graph.t_hi][self.node]
         self.motion = segment, graph.p_lo[graph.starts], graph.p_lo[graph.ends], graph.speeds, graph.horizon
         self.layer = np.repeat(np.arange(len(fleet.counts)), fleet.counts)
@@ -194,7 +194,8 @@ def ruin_and_recreate(
     for u in range(n):
         widest = max(widest, by_layer.start[u + 1] - by_layer.start[u])
     networks = [of_layer(by_layer, k) for k in layer]
-    values = [Values(np.empty((n, widest)), np.empty((n, widest)), np.empty(n), np.empty(n)) for _ in range(m)]
+    rows = n + 1, widest
+    values = [Values(np.zeros(rows), np.zeros(rows), np.zeros(n + 1), np.zeros(n + 1)) for _ in range(m)]
     arrive, leave = np.empty(widest), np.empty(widest)
     routes, length, cost = routes.copy(), length.copy(), np.zeros(m)
     for k in range(m):
