@@ -114,7 +114,7 @@ class ColumnGeneration:
         self._fresh_master()
 
     def evaluate(self, pi, cuts, most_entries=None):
-        found = evaluate(self.network, ngsets.as_words(self.N), pi, cuts, self.fleet, self.tolerance, most_entries)
+        found = evaluate(self.network, self.N, pi, cuts, self.fleet, self.tolerance, most_entries)
         self.work += int(found.lists.count[self.network.arcs.head].sum())
         return found
 

@@ -4,6 +4,7 @@ import numpy as np
 from scipy import sparse
 
 from . import labels as lab
+from .sets import to_marks
 
 
 class Enumeration:
@@ -29,7 +30,7 @@ class Enumeration:
 
     def _grow(self, evaluation, slack, most, budget, rate, clock):
         pieces, prices, lists = evaluation.pieces, evaluation.prices, evaluation.lists
-        self.layers.append(lab.first_labels(pieces, prices, lists, slack))
+        self.layers.append(lab.first_labels(evaluation, slack))
         while len(self.layers) < self.n and len(self.layers[-1].left):
             room, left = max(float(most - self.size), 0.0), float(min(budget, rate * clock.seconds))
             layer, links, tried, self.complete = lab.extend(
@@ -89,14 +90,13 @@ class Enumeration:
 
     def used_arcs(self, arcs):
         """Return (A,) which arcs lead to columns alive."""
-        pair = arcs.tail.astype(np.int64) * len(self.pieces.a) + arcs.head  # in order, as arcs are
-        used = np.zeros(len(arcs.head), dtype=bool)
-        order = np.argsort(pair, kind="stable")
-        for s, links in enumerate(self.links):
-            tail, head = self.layers[s].piece[links[:, 0]], self.layers[s + 1].piece[links[:, 1]]
-            mine = np.unique(tail.astype(np.int64) * len(self.pieces.a) + head)
-            used[order[np.searchsorted(pair[order], mine)]] = True
-        return used
+        used = np.zeros(0, np.int64)
+        for before, links, after in zip(self.layers, self.links, self.layers[1:]):
+            used = np.union1d(used, self._pairs(before.piece[links[:, 0]], after.piece[links[:, 1]]))
+        return np.isin(self._pairs(arcs.tail, arcs.head), used)
+
+    def _pairs(self, tail, head):
+        return tail.astype(np.int64) * len(self.pieces.a) + head
 
     def used_ends(self):
         """Return (starts, ends), each (Q,): the pieces where routes alive begin and end."""
@@ -124,12 +124,10 @@ class Enumeration:
 
 
 def membership(visited, n_targets):
-    """Return the (n, J) sparse 0/1 matrix of targets by sets; visited: (J, W)."""
-    columns = [visited[:, u >> 6] >> np.uint64(u & 63) & np.uint64(1) for u in range(n_targets)]
-    rows = [np.flatnonzero(column) for column in columns]
-    counts = [len(row) for row in rows]
-    index = (np.repeat(np.arange(n_targets), counts), np.concatenate(rows))
-    return sparse.csc_matrix((np.ones(len(index[0])), index), shape=(n_targets, len(visited)))
+    """Return the (n, J) sparse 0/1 matrix of targets by sets; visited: (J, W or more)."""
+    column, target = np.nonzero(to_marks(visited, n_targets))
+    starts = np.searchsorted(column, np.arange(len(visited) + 1))
+    return sparse.csc_matrix((np.ones(len(target)), target, starts), shape=(n_targets, len(visited)))
 
 
 def _tails(links, heads):

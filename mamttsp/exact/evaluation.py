@@ -11,11 +11,12 @@ from typing import NamedTuple
 import numpy as np
 
 from . import ngroutes
-from .cuts import Cuts
+from .cuts import Cuts, times_paid
 from .elimination import arcs_alive
 from .fleet import Fleet
 from .legs import least, share_before
 from .pieces import Arcs, Pieces, all_arcs, finer, finer_arcs, make_pieces, select
+from .sets import to_words
 
 
 class Network(NamedTuple):
@@ -59,7 +60,7 @@ def restricted(network, alive, starts, ends):
 def refined(network, graph, width, centre, targets):
     """Return the Network with every piece cut into parts of about `width` s, those of the visit times `centre` among
     them."""
-    segment, a, b, origin = finer(network.pieces, range(len(network.pieces.a)), width, centre)
+    segment, a, b, origin = finer(network.pieces, width, centre)
     pieces = make_pieces(graph, segment, a, b, targets)
     return make_network(pieces, finer_arcs(pieces, origin, network.arcs), network.starts[origin], network.ends[origin])
 
@@ -71,7 +72,6 @@ class Evaluation:
     were looked at: value then is only at least L, and bound -infinity."""
 
     network: Network
-    N: np.ndarray
     pi: np.ndarray
     cuts: Cuts
     fleet: Fleet
@@ -141,45 +141,38 @@ class Evaluation:
 
     def length(self, route):
         """Return the least length of a route of pieces that the values along it prove at these prices."""
-        pieces, q = self.pieces, route[0]
-        left, right, times = ngroutes.value_along(self.network.ahead, self.prices, route)
+        pieces, prices, q = self.pieces, self.prices, route[0]
+        left, right = ngroutes.value_along(self.network.ahead, prices, route)
         share = share_before(pieces.ready[q], pieces.a[q], pieces.b[q] - pieces.a[q])
         value = least(pieces.first[q, 0] + left, pieces.first[q, 1] + right, share)
-        return value + self.pi[pieces.target[route[1:]]].sum() + self.prices.sigma @ times
+        paid = prices.sigma @ times_paid(pieces.target[route], prices.inside, prices.kept)
+        return value + self.pi[pieces.target[route[1:]]].sum() + paid
 
     def eliminated(self, limit, tolerance):
         """Return the Network of what lies on a relaxed solution of value at most `limit`."""
         network, slack = self.network, self.slack(limit)
-        allowed = slack[self.pieces.layer]
         back = _values(network.back, self.prices, tolerance)
         alive = arcs_alive(network.ahead, self.prices, self.lists, back, slack)
-        back_cost, _ = ngroutes.cheapest_starts(
-            network.pieces._replace(first=network.pieces.last, ready=np.full(len(network.starts), -np.inf)),
-            self.prices, _flipped(back),
-        )  # fmt: skip
-        return restricted(
-            network, alive, network.starts & (self.cost <= allowed), network.ends & (back_cost <= allowed)
-        )
-
-
-def _flipped(lists):
-    return lists._replace(left=lists.right, right=lists.left)
+        back_cost, _ = ngroutes.cheapest_starts(network.back, self.prices, back)
+        allowed = slack[self.pieces.layer]
+        return restricted(network, alive, network.starts & (self.cost <= allowed), network.ends & (back_cost <= allowed))
 
 
 def evaluate(network, N, pi, cuts, fleet, tolerance, most_entries=None):
     """Return the Evaluation at multipliers pi; values that change by less than `tolerance` count as unchanged.
 
-    most_entries: of a piece's list; with fewer than there are the Evaluation is not complete.
+    N: (n, n) bool, the ng-sets; most_entries: of a piece's list; with fewer than there are the Evaluation is not
+    complete.
     """
-    prices = ngroutes.Prices(pi, N, *cuts.words)
+    prices = ngroutes.Prices(pi, to_words(N), *cuts.words)
     lists = _values(network.ahead, prices, tolerance, most_entries)
-    cost, entry = ngroutes.cheapest_starts(network.pieces, prices, lists)
+    cost, entry = ngroutes.cheapest_starts(network.ahead, prices, lists)
     n = len(pi)
     return Evaluation(
-        network, N, pi, cuts, fleet, prices, lists, cost - n * tolerance, entry, most_entries is None
+        network, pi, cuts, fleet, prices, lists, cost - n * tolerance, entry, most_entries is None
     )  # fmt: skip
 
 
 def _values(side, prices, tolerance, most_entries=None):
     most = ngroutes.ALL_ENTRIES if most_entries is None else most_entries
-    return ngroutes.values_to_go(side, prices, tolerance, len(prices.pi), most)[0]
+    return ngroutes.values_to_go(side, prices, tolerance, len(prices.pi), most)

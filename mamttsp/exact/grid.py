@@ -8,15 +8,16 @@ from collections import namedtuple
 
 import numpy as np
 
-from ..compiled import compiled
+from ..compiled import compiled, inlined
 from ..motion import TIME_SLACK
 
-#: Flights on the grid, infinite where too late: `between` (P, P), its transpose `back`, from the depot `first` (P,), to
-#: the end `last` (P,); the points of target u are start[u]:start[u + 1]; near (n, n), near_first (n,),
-#: near_last (n,): the shortest flights between targets, depot and end, whatever their times
-Network = namedtuple("Network", "between back first last start near near_first near_last")
+#: Flights on the grid, infinite where too late: between (P + 1, P + 1), and its transpose back. The points of target u
+#: are start[u]:start[u + 1], and behind those of all n targets comes one for the depot, as a head the end: target n;
+#: near (n + 1, n + 1): the shortest flights between targets, whatever their times
+Network = namedtuple("Network", "between back start near")
 
-#: Of each stop of a route: values so_far and to_go (n, widest) at its grid points, and the least of them (n,)
+#: Along a route: so_far and to_go (n + 1, widest), values at the grid points behind so many stops, and before the last
+#: so many of them, in row 0 the 0 of the depot and of the end; and the least of each row (n + 1,)
 Values = namedtuple("Values", "so_far to_go least_so_far least_to_go")
 
 
@@ -46,41 +47,24 @@ def make_networks(graph, node, time, start, slack):
     """Return the Networks of grid points, see `grid_points`, one for each layer of the graph, in a Network whose arrays
     but `start` have one dimension more; slack: by how many s a flight may come late."""
     p = graph.p_lo[node] + (time - graph.t_lo[node])[:, None] * graph.v[node]
+    start = np.r_[start, len(time) + 1]
     owner = np.repeat(np.arange(len(start) - 1), np.diff(start))
-    depots, ends = graph.p_lo[graph.starts], graph.p_lo[graph.ends]
-    each = [_distances(p, time, owner, *of_layer, graph.horizon, slack) for of_layer in zip(depots, ends, graph.speeds)]
-    near = [_shortest(*flights, start) for flights in each]
-    between, first, last = map(np.array, zip(*each))
-    return Network(between, between.transpose(0, 2, 1).copy(), first, last, start, *map(np.array, zip(*near)))
+    leaving, arriving, slack = np.r_[time, 0.0], np.r_[time, graph.horizon], slack + TIME_SLACK * graph.horizon
+    between = []
+    for depot, end, speed in zip(graph.p_lo[graph.starts], graph.p_lo[graph.ends], graph.speeds):
+        (x, y), (x_to, y_to) = np.vstack([p, depot]).T, np.vstack([p, end]).T
+        flights = np.hypot(x_to - x[:, None], y_to - y[:, None])
+        flights[(owner == owner[:, None]) | (flights > speed * (arriving - leaving[:, None] + slack))] = np.inf
+        between.append(flights)
+    between = np.array(between)
+    near = np.minimum.reduceat(np.minimum.reduceat(between, start[:-1], axis=1), start[:-1], axis=2)
+    return Network(between, between.transpose(0, 2, 1).copy(), start, near)
 
 
 @compiled
 def of_layer(networks, k):
     """Return the Network of layer k."""
-    return Network(
-        networks.between[k], networks.back[k], networks.first[k], networks.last[k], networks.start, networks.near[k],
-        networks.near_first[k], networks.near_last[k],
-    )  # fmt: skip
-
-
-def _distances(p, time, target, depot, end, speed, horizon, slack):
-    """Return (between (P, P), first (P,), last (P,)): distances, infinite where a flight would be more than `slack`
-    s late."""
-    slack += TIME_SLACK * horizon
-    x, y = p.T
-    between = np.hypot(x - x[:, None], y - y[:, None])
-    between[(target == target[:, None]) | (between > speed * (time - time[:, None] + slack))] = np.inf
-    first, last = np.hypot(x - depot[0], y - depot[1]), np.hypot(x - end[0], y - end[1])
-    first[first > speed * (time + slack)] = np.inf
-    last[last > speed * (horizon - time + slack)] = np.inf
-    return between, first, last
-
-
-def _shortest(between, first, last, start):
-    """Return (near (n, n), near_first (n,), near_last (n,)), see Network."""
-    begin = start[:-1]
-    near = np.minimum.reduceat(np.minimum.reduceat(between, begin, axis=0), begin, axis=1)
-    return near, np.minimum.reduceat(first, begin), np.minimum.reduceat(last, begin)
+    return Network(networks.between[k], networks.back[k], networks.start, networks.near[k])
 
 
 @compiled
@@ -98,49 +82,42 @@ def _min_plus(values, here, there, start, flights, out):
     return out.min()
 
 
-@compiled
-def _arrive(w, route, i, network, values, out):
-    """Fill out with the values so far of target w behind the first i stops of a route; return the least of them."""
-    if i > 0:
-        return _min_plus(values.so_far[i - 1], route[i - 1], w, network.start, network.between, out)
-    for g in range(network.start[w], network.start[w + 1]):
-        out[g - network.start[w]] = network.first[g]
-    return network.near_first[w]
-
-
-@compiled
-def _leave(w, route, length, i, network, values, out):
-    """Fill out with the values to go of target w before stop i of a route; return the least of them."""
-    if i < length:
-        return _min_plus(values.to_go[i], route[i], w, network.start, network.back, out)
-    for g in range(network.start[w], network.start[w + 1]):
-        out[g - network.start[w]] = network.last[g]
-    return network.near_last[w]
+@inlined
+def _stop(route, length, i):
+    """Return the target of stop i of a route, that of the depot before and behind all of them."""
+    return route[i] if 0 <= i < length else len(route)
 
 
 @compiled
 def evaluate(route, length, network, values):
-    """Fill the values at each stop of a route; return its cost."""
+    """Fill the values along a route; return its cost."""
     if length == 0:
         return 0.0
+    start, so_far, to_go = network.start, values.so_far, values.to_go
     for i in range(length):
-        values.least_so_far[i] = _arrive(route[i], route, i, network, values, values.so_far[i])
+        values.least_so_far[i + 1] = _min_plus(
+            so_far[i], _stop(route, length, i - 1), route[i], start, network.between, so_far[i + 1]
+        )
     for i in range(length - 1, -1, -1):
-        values.least_to_go[i] = _leave(route[i], route, length, i + 1, network, values, values.to_go[i])
-    size = network.start[route[0] + 1] - network.start[route[0]]
-    return _least_sum(values.so_far[0], values.to_go[0], size)
+        rest = length - i
+        values.least_to_go[rest] = _min_plus(
+            to_go[rest - 1], _stop(route, length, i + 1), route[i], start, network.back, to_go[rest]
+        )
+    return _least_sum(so_far[1], to_go[length], start[route[0] + 1] - start[route[0]])
 
 
 @compiled
 def insertion(w, route, length, i, network, values, arrive, leave, cutoff):
     """Return the route's cost with w inserted before its stop i, or infinity if that is not below the cutoff."""
-    before = network.near_first[w] if i == 0 else values.least_so_far[i - 1] + network.near[route[i - 1], w]
-    after = network.near_last[w] if i == length else network.near[w, route[i]] + values.least_to_go[i]
-    if before + after >= cutoff or _arrive(w, route, i, network, values, arrive) + after >= cutoff:
+    start, rest = network.start, length - i
+    before, behind = _stop(route, length, i - 1), _stop(route, length, i)
+    to_go = network.near[w, behind] + values.least_to_go[rest]
+    if values.least_so_far[i] + network.near[before, w] + to_go >= cutoff:
         return np.inf
-    _leave(w, route, length, i, network, values, leave)
-    size = network.start[w + 1] - network.start[w]
-    return _least_sum(arrive, leave, size)
+    if _min_plus(values.so_far[i], before, w, start, network.between, arrive) + to_go >= cutoff:
+        return np.inf
+    _min_plus(values.to_go[rest], behind, w, start, network.back, leave)
+    return _least_sum(arrive, leave, start[w + 1] - start[w])
 
 
 @compiled
@@ -155,11 +132,12 @@ def _least_sum(so_far, to_go, size):
 @compiled
 def trace(route, length, network, values, points):
     """Fill the grid points of a cheapest flight along a route that is evaluated."""
-    start = network.start
+    start, here = network.start, len(network.between) - 1
     for i in range(length):
         w = route[i]
         best = np.inf
         for g in range(start[w], start[w + 1]):
-            here = network.first[g] if i == 0 else network.between[points[i - 1], g]
-            if here + values.to_go[i, g - start[w]] < best:
-                best, points[i] = here + values.to_go[i, g - start[w]], g
+            cost = network.between[here, g] + values.to_go[length - i, g - start[w]]
+            if cost < best:
+                best, points[i] = cost, g
+        here = points[i]

@@ -36,19 +36,18 @@ class Incumbent:
         self.objective, self.routes = total, tuple(routes)
         return True
 
-    def recombine(self, targets, time_limit):
+    def recombine(self, time_limit):
         """Offer the best choice among the shortest routes, of each layer through each set of targets, ever timed."""
         best = {}
         for route, found in self._timed.items():
             served = int(self.graph.layer[route[0]]), frozenset(self.graph.tau[list(route)])
             if found and (served not in best or found[0] < self.timed(best[served])[0]):
                 best[served] = route
-        number = {int(u): k for k, u in enumerate(targets)}
-        rows = [[number[int(u)] for u in served] for _, served in best]
-        index = (np.concatenate(rows), np.repeat(np.arange(len(rows)), [len(row) for row in rows])) if rows else None
-        if index is None:
+        if not best:
             return
-        members = sparse.csc_matrix((np.ones(len(index[0])), index), shape=(len(number), len(rows)))
+        starts = np.cumsum([0] + [len(served) for _, served in best])
+        served = np.concatenate([sorted(served) for _, served in best])
+        members = sparse.csc_matrix((np.ones(len(served)), served, starts), shape=(self.graph.n_targets, len(best)))
         lengths = np.array([self.timed(route)[0] for route in best.values()])
         agents = np.array([layer for layer, _ in best])
         limit = min(self.objective, self.longest)

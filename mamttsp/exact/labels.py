@@ -14,7 +14,7 @@ from ..compiled import compiled, inlined
 from ..motion import earliest_meeting
 from .legs import after_leg, least, share_before
 from .ngroutes import penalty
-from .sets import add, disjoint, has, same
+from .sets import add, disjoint, has, same, to_words
 
 _EPS = 1e-12
 _FIRST_SIZE = 1 << 12
@@ -60,24 +60,6 @@ def _grown(labels):
     return more
 
 
-@inlined
-def _can_be_completed(visited, x, odd, room, left, right, share, r, lists, limit, sigma):
-    """Tell whether an entry of the values to go at piece r keeps the label within the limit; room: what can still be
-    carried."""
-    found = False
-    for y in range(lists.first[r], lists.first[r] + lists.count[r]):
-        if min(left + lists.left[y], right + lists.right[y]) > limit:
-            continue
-        if lists.load[y] > room or not disjoint(visited, x, lists.memory, y):
-            continue
-        hits = odd & lists.parity[y]
-        pay = penalty(hits, sigma) if hits else 0.0
-        if pay + least(left + lists.left[y], right + lists.right[y], share) <= limit:
-            found = True
-            break
-    return found
-
-
 @compiled
 def _least_to_go(lists):
     """Return (Q, 2) the least values to go at both ends of each piece, whatever is remembered."""
@@ -89,34 +71,18 @@ def _least_to_go(lists):
     return best
 
 
-def first_labels(pieces, prices, lists, limit):
-    """Return the Labels of one visit: straight from the depot. lists: values to go, see `ngroutes`; limit: (K,) of the
-    reduced cost of a route of each layer of the graph."""
-    labels, count = _first_labels(pieces, prices, lists, limit)
-    return Labels(*(part[:count] for part in labels))
-
-
-@compiled
-def _first_labels(pieces, prices, lists, limit):
-    labels = _empty(len(pieces.a), prices.N.shape[1])
-    x = 0
-    for q in range(len(pieces.a)):
-        if pieces.ready[q] == np.inf:
-            continue
-        u, layer = pieces.target[q], pieces.layer[q]
-        load = pieces.demand[layer, u]
-        left, right = pieces.first[q, 0] - prices.pi[u], pieces.first[q, 1] - prices.pi[u]
-        share = share_before(pieces.ready[q], pieces.a[q], pieces.b[q] - pieces.a[q])
-        labels.visited[x] = 0
-        add(labels.visited, x, u)
-        odd = prices.inside[u]
-        room = pieces.room[layer] - load
-        if _can_be_completed(labels.visited, x, odd, room, left, right, share, q, lists, limit[layer], prices.sigma):
-            labels.odd[x], labels.load[x], labels.piece[x] = odd, load, q
-            labels.left[x], labels.right[x] = left, right
-            labels.early[x], labels.parent[x] = pieces.ready[q], -1
-            x += 1
-    return labels, x
+def first_labels(evaluation, slack):
+    """Return the Labels of one visit, straight from the depot: pieces where a route within the slack (K,) of its layer
+    may begin."""
+    pieces, prices = evaluation.pieces, evaluation.prices
+    piece = np.flatnonzero(evaluation.cost <= slack[pieces.layer])
+    u, layer, parent = pieces.target[piece], pieces.layer[piece], np.full(len(piece), -1, np.int32)
+    visited = to_words(u[:, None] == np.arange(len(prices.pi)))
+    left, right = (pieces.first[piece] - prices.pi[u][:, None]).T.copy()
+    return Labels(
+        visited, prices.inside[u], pieces.demand[layer, u], piece.astype(np.int32), left, right, pieces.ready[piece],
+        parent,
+    )  # fmt: skip
 
 
 def extend(old, pieces, arcs, prices, lists, limit, most, budget):
@@ -138,6 +104,24 @@ def extend(old, pieces, arcs, prices, lists, limit, most, budget):
         heads = np.where(dropped, heir[heads], heads)
     links[:, 1] = place[heads]
     return Labels(*(part[keep] for part in new)), links, tried, True
+
+
+@inlined
+def _can_be_completed(visited, x, odd, room, left, right, share, r, lists, limit, sigma):
+    """Tell whether an entry of the values to go at piece r keeps the label within the limit; room: what can still be
+    carried."""
+    found = False
+    for y in range(lists.first[r], lists.first[r] + lists.count[r]):
+        if min(left + lists.left[y], right + lists.right[y]) > limit:
+            continue
+        if lists.load[y] > room or not disjoint(visited, x, lists.memory, y):
+            continue
+        hits = odd & lists.parity[y]
+        pay = penalty(hits, sigma) if hits else 0.0
+        if pay + least(left + lists.left[y], right + lists.right[y], share) <= limit:
+            found = True
+            break
+    return found
 
 
 @compiled

@@ -29,18 +29,19 @@ ALL_ENTRIES = 1 << 40
 class Side(NamedTuple):
     """The pieces and arcs as seen in one direction of time.
 
-    order: (Q,) pieces, the last first; place: (Q,) where each is in `order`; target, layer, a, width: (Q,); end: (Q, 2)
-    the leg home at both ends of a piece; start, head, leg: as in Arcs; back_start, back: the tails of the arcs into
-    each piece; speed, demand, room: as in Pieces.
+    order: (Q,) pieces, the last first; target, layer, a, width: (Q,); begin, end: (Q, 2) the legs from and to the depot
+    at both ends of a piece; ready: (Q,) earliest time there; start, head, leg: as in Arcs; back_start, back: the tails
+    of the arcs into each piece; speed, demand, room: as in Pieces.
     """
 
     order: np.ndarray
-    place: np.ndarray
     target: np.ndarray
     layer: np.ndarray
     a: np.ndarray
     width: np.ndarray
+    begin: np.ndarray
     end: np.ndarray
+    ready: np.ndarray
     start: np.ndarray
     head: np.ndarray
     leg: np.ndarray
@@ -81,23 +82,23 @@ def sides(pieces, arcs):
     width = pieces.b - pieces.a
     by_head = np.argsort(arcs.head, kind="stable")
     into = np.searchsorted(arcs.head[by_head], np.arange(len(width) + 1))
-    ahead = _side(pieces, pieces.a, pieces.last, arcs.start, arcs.head, arcs.leg, into, arcs.tail[by_head])
+    ahead = _side(
+        pieces, pieces.a, pieces.first, pieces.last, pieces.ready, arcs.start, arcs.head, arcs.leg, into,
+        arcs.tail[by_head],
+    )  # fmt: skip
     leg = arcs.leg[by_head]
     value = leg[:, 0] + leg[:, 1] * width[arcs.tail[by_head]] + leg[:, 2] * width[arcs.head[by_head]]
     leg = np.c_[value, -leg[:, 2], -leg[:, 1]]
-    start = np.ascontiguousarray(pieces.first[:, ::-1])
-    back = _side(pieces, -pieces.b, start, into, arcs.tail[by_head], leg, arcs.start, arcs.head)
+    begin, end = np.ascontiguousarray(pieces.last[:, ::-1]), np.ascontiguousarray(pieces.first[:, ::-1])
+    always = np.full(len(width), -np.inf)
+    back = _side(pieces, -pieces.b, begin, end, always, into, arcs.tail[by_head], leg, arcs.start, arcs.head)
     return ahead, back
 
 
-def _side(pieces, a, end, start, head, leg, back_start, back):
-    order = np.argsort(-a, kind="stable")
-    place = np.empty(len(order), np.int64)
-    place[order] = np.arange(len(order))
-    width = pieces.b - pieces.a
+def _side(pieces, a, begin, end, ready, start, head, leg, back_start, back):
     return Side(
-        order, place, pieces.target, pieces.layer, a, width, end, start, head, leg, back_start, back, pieces.speed,
-        pieces.demand, pieces.room,
+        np.argsort(-a, kind="stable"), pieces.target, pieces.layer, a, pieces.b - pieces.a, begin, end, ready, start,
+        head, leg, back_start, back, pieces.speed, pieces.demand, pieces.room,
     )  # fmt: skip
 
 
@@ -217,7 +218,7 @@ def _room(size, W):
 
 @compiled
 def values_to_go(side, prices, tolerance, most_passes, most_entries):
-    """Return (lists, passes): the values to go of each piece, its own multiplier not included.
+    """Return the Lists of values to go of each piece, its own multiplier not included.
 
     tolerance: a change of a value that counts as none; most_entries: of one piece: with fewer than there are the values
     are those of some ng-routes, and bound nothing.
@@ -228,11 +229,10 @@ def values_to_go(side, prices, tolerance, most_passes, most_entries):
         np.zeros(Q, np.int64), np.zeros(Q, np.int64), np.empty((size, W), np.uint64), np.empty(size, np.uint64),
         np.empty(size), np.empty(size), np.empty(size),
     )  # fmt: skip
-    used, passes, again = np.int64(0), 0, True
+    used, passes = np.int64(0), 0
     work = _room(np.int64(256), W)
     dirty = np.ones(Q, np.bool_)
-    while again and passes < most_passes:
-        again = False
+    while passes < most_passes and dirty.any():
         passes += 1
         for q in side.order:
             if not dirty[q]:
@@ -254,11 +254,8 @@ def values_to_go(side, prices, tolerance, most_passes, most_entries):
                 used += known
             _store(work, known, lists, q)
             for k in range(side.back_start[q], side.back_start[q + 1]):
-                p = side.back[k]
-                if not dirty[p]:
-                    dirty[p] = True
-                    again = again or side.place[p] <= side.place[q]
-    return lists, passes
+                dirty[side.back[k]] = True
+    return lists
 
 
 @compiled
@@ -288,21 +285,19 @@ def _unchanged(work, known, lists, q, tolerance):
 
 
 @compiled
-def cheapest_starts(pieces, prices, lists):
+def cheapest_starts(side, prices, lists):
     """Return (cost, entry), each (Q,): the least reduced cost of an ng-route that begins at each piece, and the first
     entry of its list on it; infinite and -1 where there is none."""
-    Q = len(pieces.a)
+    Q = len(side.a)
     cost, entry = np.full(Q, np.inf), np.full(Q, -1)
     for q in range(Q):
-        if pieces.first[q, 0] == np.inf:
+        if side.begin[q, 0] == np.inf:
             continue
-        u = pieces.target[q]
-        share = share_before(pieces.ready[q], pieces.a[q], pieces.b[q] - pieces.a[q])
+        u = side.target[q]
+        share = share_before(side.ready[q], side.a[q], side.width[q])
         for x in range(lists.first[q], lists.first[q] + lists.count[q]):
             pay = penalty(lists.parity[x] & prices.inside[u], prices.sigma) - prices.pi[u]
-            value = pay + least(
-                pieces.first[q, 0] + lists.left[x], pieces.first[q, 1] + lists.right[x], share
-            )  # fmt: skip
+            value = pay + least(side.begin[q, 0] + lists.left[x], side.begin[q, 1] + lists.right[x], share)
             if value < cost[q]:
                 cost[q], entry[q] = value, x
     return cost, entry
@@ -351,30 +346,25 @@ def trace(side, prices, lists, q, x, longest):
 
 @compiled
 def value_along(side, prices, route):
-    """Return (left, right, times): the values to go at the first piece of a route of pieces, with what its own visit
-    pays of the subset-row cuts, and how often the route pays each of them."""
-    K = len(route)
-    left, right = side.end[route[K - 1]]
-    times, odd = np.zeros(64), np.uint64(0)
-    for i in range(K - 1, 0, -1):
-        q, r = route[i - 1], route[i]
-        w = side.target[r]
-        for k in range(side.start[q], side.start[q + 1]):
-            if side.head[k] == r:
-                left, right = before_leg(
-                    side.leg[k, 0], side.leg[k, 1], side.leg[k, 2], left, right, side.width[q], side.width[r],
-                    side.a[r] - side.a[q], side.speed[side.layer[q]],
-                )  # fmt: skip
-                break
-        hits = odd & prices.inside[w]
-        pay = penalty(hits, prices.sigma) - prices.pi[w]
-        left, right = left + pay, right + pay
-        for bit in range(64):
-            times[bit] += (hits >> np.uint64(bit)) & np.uint64(1)
-        odd = (odd ^ prices.inside[w]) & prices.kept[side.target[q]]
-    hits = odd & prices.inside[side.target[route[0]]]
-    pay = penalty(hits, prices.sigma)
-    left, right = left + pay, right + pay
-    for bit in range(64):
-        times[bit] += (hits >> np.uint64(bit)) & np.uint64(1)
-    return left, right, times
+    """Return (left, right): the values to go at the first piece of a route of pieces, with what its own visit pays of
+    the subset-row cuts."""
+    pay, odd = 0.0, np.uint64(0)
+    left, right = side.end[route[-1]]
+    for i in range(len(route) - 1, -1, -1):
+        q = route[i]
+        u = side.target[q]
+        if i < len(route) - 1:
+            r = route[i + 1]
+            for k in range(side.start[q], side.start[q + 1]):
+                if side.head[k] == r:
+                    left, right = before_leg(
+                        side.leg[k, 0], side.leg[k, 1], side.leg[k, 2], left, right, side.width[q], side.width[r],
+                        side.a[r] - side.a[q], side.speed[side.layer[q]],
+                    )  # fmt: skip
+                    break
+            left += pay
+            right += pay
+        odd &= prices.kept[u]
+        pay = penalty(odd & prices.inside[u], prices.sigma) - (prices.pi[u] if i > 0 else 0.0)
+        odd ^= prices.inside[u]
+    return left + pay, right + pay

@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from .sets import to_words
-
 
 def nearest(pieces, arcs, n_targets, size):
     """Return N (n, n) bool: for each target the `size` others that are cheapest to fly to or from."""
@@ -14,11 +12,6 @@ def nearest(pieces, arcs, n_targets, size):
     N = np.zeros((n_targets, n_targets), dtype=bool)
     np.put_along_axis(N, order, np.isfinite(np.take_along_axis(least, order, axis=1)), axis=1)
     return N
-
-
-def as_words(N):
-    """Return N (n, n) bool as sets (n, W)."""
-    return to_words([np.flatnonzero(row) for row in N], len(N))
 
 
 def forbidden(route, N):

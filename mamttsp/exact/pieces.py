@@ -84,11 +84,11 @@ def even_cuts(graph, segments, width):
     return np.array(segment), np.array(a), np.array(b)
 
 
-def finer(pieces, used, width, centre):
-    """Return (segment, a, b, origin): the pieces `used` (indices) cut into parts of about `width` s, and which piece
-    each is of. centre: {segment: visit time in s}, to lie in the middle of a part."""
+def finer(pieces, width, centre):
+    """Return (segment, a, b, origin): the pieces cut into parts of about `width` s, and which piece each is of, in
+    order. centre: {segment: visit time in s}, to lie in the middle of a part."""
     rows = []
-    for q in used:
+    for q in range(len(pieces.a)):
         for start, end in _split(pieces.a[q], pieces.b[q], width, centre.get(int(pieces.segment[q]))):
             rows.append((pieces.segment[q], start, end, q))
     return tuple(np.array(part) for part in zip(*rows))
@@ -128,55 +128,39 @@ def _end_legs(a, b, p, v, layer, depots, ends, speeds, horizon):
 
 def all_arcs(pieces):
     """Return the Arcs between pieces of different targets in a layer that one agent can fly in time, and carry."""
-    Q = len(pieces.a)
-    return _make_arcs(pieces, np.zeros(Q, np.int64), np.array([0, Q]), np.arange(Q))
+    everything = np.zeros(1, np.int32)  # one parent, with an arc to itself
+    loop = Arcs(np.array([0, 1]), everything, everything, np.zeros((1, 3)))
+    return finer_arcs(pieces, np.zeros(len(pieces.a), np.int64), loop)
 
 
 def finer_arcs(pieces, origin, parents):
-    """Return the Arcs between `pieces`, parts of the pieces `origin` (Q,) of another set, along that set's Arcs."""
-    kin = np.argsort(origin, kind="stable")  # the parts of each parent
-    first_kin = np.searchsorted(origin[kin], np.arange(len(parents.start)))
-    start = np.r_[0, np.cumsum(np.diff(first_kin)[parents.head])]
-    heads = _concatenated(kin, first_kin, parents.head)
-    return _make_arcs(pieces, origin, start[parents.start], heads)
+    """Return the Arcs between `pieces`, parts of the pieces `origin` (Q,), in order, of another set, along that set's
+    Arcs."""
+    first = np.searchsorted(origin, np.arange(len(parents.start)))
+    start, head, leg = _make_arcs(pieces, origin, first, parents.start, parents.head)
+    tail = np.repeat(np.arange(len(origin), dtype=np.int32), np.diff(start))
+    return Arcs(start, tail, head, leg)
 
 
 @compiled
-def _concatenated(kin, first_kin, parents):
-    count = 0
-    for r in parents:
-        count += first_kin[r + 1] - first_kin[r]
-    heads = np.empty(count, np.int64)
-    x = 0
-    for r in parents:
-        for y in range(first_kin[r], first_kin[r + 1]):
-            heads[x] = kin[y]
-            x += 1
-    return heads
-
-
-@compiled
-def _make_arcs(pieces, group, start, heads):
-    """Return the Arcs from each piece q to those of heads[start[group[q]] : start[group[q] + 1]] it can reach."""
+def _make_arcs(pieces, origin, first, parent_start, parent_head):
+    """Return (start, head, leg) as in Arcs; the parts of parent r are first[r]:first[r + 1]."""
     Q = len(pieces.a)
-    begin = np.zeros(Q + 1, np.int64)
-    for count_only in (True, False):
-        if not count_only:
-            tail, head = np.empty(begin[Q], np.int32), np.empty(begin[Q], np.int32)
-            leg = np.empty((begin[Q], 3))
-        else:
-            tail, head, leg = np.empty(0, np.int32), np.empty(0, np.int32), np.empty((0, 3))
-        k = 0
-        for q in range(Q):
-            for x in range(start[group[q]], start[group[q] + 1]):
-                r = heads[x]
+    start = np.zeros(Q + 1, np.int64)
+    for q in range(Q):
+        start[q + 1] = start[q]
+        for x in range(parent_start[origin[q]], parent_start[origin[q] + 1]):
+            for r in range(first[parent_head[x]], first[parent_head[x] + 1]):
+                start[q + 1] += _flyable(pieces, q, r)
+    head, leg, k = np.empty(start[Q], np.int32), np.empty((start[Q], 3)), 0
+    for q in range(Q):
+        for x in range(parent_start[origin[q]], parent_start[origin[q] + 1]):
+            for r in range(first[parent_head[x]], first[parent_head[x] + 1]):
                 if _flyable(pieces, q, r):
-                    if not count_only:
-                        tail[k], head[k] = q, r
-                        _set_leg(pieces, q, r, leg[k])
+                    head[k] = r
+                    _set_leg(pieces, q, r, leg[k])
                     k += 1
-            begin[q + 1] = k
-    return Arcs(begin, tail, head, leg)
+    return start, head, leg
 
 
 @compiled

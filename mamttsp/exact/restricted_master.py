@@ -38,19 +38,14 @@ class RestrictedMaster:
         for name, value in (("output_flag", False), ("threads", 1), ("random_seed", 0), ("simplex_strategy", _PRIMAL)):
             highs.setOptionValue(name, value)
         index, none = np.zeros(0, np.int32), np.zeros(0)
-        for _ in range(n_targets):
-            highs.addRow(1.0, 1.0, 0, index, none)
-        for count in fleet.counts:
-            highs.addRow(-highspy.kHighsInf, float(count), 0, index, none)
-        for _ in range(self.needed):
-            highs.addRow(float(fleet.least), highspy.kHighsInf, 0, index, none)
-        for _ in range(n_cuts):
-            highs.addRow(-highspy.kHighsInf, 1.0, 0, index, none)
-        for sign in (1.0, -1.0):
-            for u in range(n_targets):
-                highs.addCol(0.0, 0.0, highspy.kHighsInf, 1, np.array([u], np.int32), np.array([sign]))
-        for _ in range(self.needed):
-            highs.addCol(_NEEDED, 0.0, highspy.kHighsInf, 1, np.array([self._fixed - 1], np.int32), np.ones(1))
+        rows = [(1.0, 1.0)] * n_targets + [(-highspy.kHighsInf, float(count)) for count in fleet.counts]
+        rows += [(float(fleet.least), highspy.kHighsInf)] * self.needed + [(-highspy.kHighsInf, 1.0)] * n_cuts
+        for low, high in rows:
+            highs.addRow(low, high, 0, index, none)
+        columns = [(0.0, u, sign) for sign in (1.0, -1.0) for u in range(n_targets)]
+        columns += [(_NEEDED, self._fixed - 1, 1.0)] * self.needed
+        for cost, row, sign in columns:
+            highs.addCol(cost, 0.0, highspy.kHighsInf, 1, np.array([row], np.int32), np.array([sign]))
 
     @property
     def _fixed(self):

@@ -28,7 +28,7 @@ class Annealing:
         self.ruins = Ruins(p.removed, p.string, p.radial, p.blink, p.heat)
         self.node, time, start, step = grid_points(graph, targets, p.grid)
         networks = [make_networks(graph, self.node, time, start, share * step) for share in p.grid_slacks]
-        self.networks = [(by_layer, _closeness(by_layer.near)) for by_layer in networks]
+        self.networks = [(by_layer, _closeness(by_layer.near[:, :-1, :-1])) for by_layer in networks]
         segment = np.c_[graph.p_lo, graph.v, graph.t_lo, graph.t_hi][self.node]
         self.motion = segment, graph.p_lo[graph.starts], graph.p_lo[graph.ends], graph.speeds, graph.horizon
         self.layer = np.repeat(np.arange(len(fleet.counts)), fleet.counts)
@@ -123,35 +123,35 @@ def _remove(seed, order, routes, length, absent, ruins):
     if np.random.random() < ruins.radial:
         for w in order[seed, : int(np.random.uniform(1.0, min(2.0 * ruins.removed, n) + 1.0))]:
             out[w] = True
-        for k in range(m):
-            left = 0
-            for i in range(length[k]):
-                routes[k, left] = routes[k, i]
-                left += 0 if out[routes[k, i]] else 1
-            length[k] = left
-        bank = np.flatnonzero(out)
-        np.random.shuffle(bank)
-        return bank
-    whole = np.ones(m, np.bool_)
-    longest = max(1.0, min(ruins.string, (n - len(absent)) / m))
+    else:
+        _mark_strings(order[seed], routes, length, max(1.0, min(ruins.string, (n - len(absent)) / m)), ruins, out)
+    for k in range(m):
+        left = 0
+        for i in range(length[k]):
+            routes[k, left] = routes[k, i]
+            left += 0 if out[routes[k, i]] else 1
+        length[k] = left
+    bank = np.flatnonzero(out)
+    np.random.shuffle(bank)
+    return bank
+
+
+@compiled
+def _mark_strings(order, routes, length, longest, ruins, out):
+    """Mark in out (n,) strings of up to `longest` stops around targets that come first in `order`, one of a route."""
+    whole = np.ones(len(length), np.bool_)
     strings = int(np.random.uniform(1.0, 4.0 * ruins.removed / (1.0 + longest)))
-    for w in order[seed]:
-        for k in range(m):
+    for w in order:
+        for k in range(len(length)):
             i = 0
             while i < length[k] and routes[k, i] != w:
                 i += 1
             if whole[k] and i < length[k] and strings > 0:
                 size = int(np.random.uniform(1.0, min(longest, length[k]) + 1.0))
                 first = np.random.randint(max(0, i - size + 1), min(i, length[k] - size) + 1)
-                length[k] -= size
                 for j in range(first, first + size):
                     out[routes[k, j]] = True
-                for j in range(first, length[k]):
-                    routes[k, j] = routes[k, j + size]
                 whole[k], strings = False, strings - 1
-    bank = np.flatnonzero(out)
-    np.random.shuffle(bank)
-    return bank
 
 
 @compiled
@@ -194,7 +194,8 @@ def ruin_and_recreate(
     for u in range(n):
         widest = max(widest, by_layer.start[u + 1] - by_layer.start[u])
     networks = [of_layer(by_layer, k) for k in layer]
-    values = [Values(np.empty((n, widest)), np.empty((n, widest)), np.empty(n), np.empty(n)) for _ in range(m)]
+    rows = n + 1, widest
+    values = [Values(np.zeros(rows), np.zeros(rows), np.zeros(n + 1), np.zeros(n + 1)) for _ in range(m)]
     arrive, leave = np.empty(widest), np.empty(widest)
     routes, length, cost = routes.copy(), length.copy(), np.zeros(m)
     for k in range(m):

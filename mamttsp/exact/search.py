@@ -93,7 +93,7 @@ class Search:
 
     def recombine(self):
         if self.m > 1 and not self.clock.out():
-            self.incumbent.recombine(range(self.n), min(self.parameters.choice_seconds, self.clock.seconds))
+            self.incumbent.recombine(min(self.parameters.choice_seconds, self.clock.seconds))
 
     def round(self):
         """Raise the bound over the present pieces, drop what is beyond the limit, and try to enumerate the rest."""

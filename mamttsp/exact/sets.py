@@ -5,23 +5,17 @@ import numpy as np
 from ..compiled import compiled, inlined
 
 
-def words(n_targets):
-    """Return how many words a set takes."""
-    return max(1, -(-n_targets // 64))
+def to_words(marks):
+    """Return (X, W) uint64, sets of targets as bits; marks: (X, n) bool."""
+    count, n = marks.shape
+    whole = np.zeros((count, 64 * max(1, -(-n // 64))), bool)
+    whole[:, :n] = marks
+    return np.packbits(whole, axis=1, bitorder="little").view(np.uint64)
 
 
-def to_words(sets, n_targets):
-    """Return (len(sets), W) uint64: an iterable of sets of targets as bits."""
-    bits = np.zeros((len(sets), words(n_targets)), np.uint64)
-    for row, members in enumerate(sets):
-        for u in members:
-            bits[row, u >> 6] |= np.uint64(1) << np.uint64(u & 63)
-    return bits
-
-
-def members(bits):
-    """Return the targets in a set (W,), in order."""
-    return [64 * w + k for w, word in enumerate(bits) for k in range(64) if int(word) >> k & 1]
+def to_marks(bits, n_targets):
+    """Return (X, n) uint8, 1 for the targets in each set; bits: (X, W or more), contiguous."""
+    return np.unpackbits(bits.view(np.uint8), axis=1, bitorder="little", count=n_targets)
 
 
 @inlined

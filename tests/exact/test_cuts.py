@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from mamttsp import build_graph, generate
-from mamttsp.exact import ngsets
 from mamttsp.exact.cuts import Cuts, separate
 from mamttsp.exact.evaluation import evaluate
 from tests.exact.enumeration import optimum
@@ -39,7 +38,7 @@ def test_no_price_lifts_the_bound_above_the_optimum(seed, n_agents):
     network, best = network_of(build_graph(instance), 8.0), optimum(instance)
     for _ in range(6):
         pi, cuts = best / 5 * rng.uniform(0.3, 1.7, 5), random_cuts(rng, 5, 4)
-        bound = evaluate(network, ngsets.as_words(random_sets(rng, 5)), pi, cuts, alike(n_agents), 0.0).bound
+        bound = evaluate(network, random_sets(rng, 5), pi, cuts, alike(n_agents), 0.0).bound
         assert bound <= best * (1 + 1e-9)
 
 
@@ -66,7 +65,7 @@ def test_a_columns_length_does_not_depend_on_prices_of_cuts(seed):
     network, N, pi = network_of(graph, 8.0), np.ones((5, 5), bool), rng.uniform(20, 60, 5)
     lengths = []
     for cuts in (random_cuts(rng, 5, 4), Cuts.none(5)):
-        evaluation = evaluate(network, ngsets.as_words(N), pi, cuts, alike(1), 0.0)
+        evaluation = evaluate(network, N, pi, cuts, alike(1), 0.0)
         lengths.append(dict(zip(*_lengths(evaluation))))
     both = lengths[0].keys() & lengths[1].keys()
     assert both and all(lengths[0][route] == pytest.approx(lengths[1][route]) for route in both)

@@ -5,7 +5,6 @@ import itertools
 import numpy as np
 import pytest
 
-from mamttsp.exact import ngsets
 from mamttsp.exact.column_generation import ColumnGeneration
 from mamttsp.exact.evaluation import evaluate
 from mamttsp.exact.fleet import Fleet
@@ -40,7 +39,7 @@ def test_at_any_prices_an_optimal_solution_stays(seed, graph, fleet):
     for share in (0.2, 0.6, 1.0):
         pi = rng.uniform(1 - share, 1 + share, n) * length / n
         cuts, N = random_cuts(rng, n, 2), random_sets(rng, n)
-        evaluation = evaluate(network, ngsets.as_words(N), pi, cuts, fleet, 0.0)
+        evaluation = evaluate(network, N, pi, cuts, fleet, 0.0)
         _assert_flown(evaluation.eliminated(length * (1 + 1e-7), 0.0), graph, routes)
 
 
@@ -65,7 +64,7 @@ def test_elimination_round_after_round_keeps_it(seed, graph, fleet):
     sizes = [len(network.arcs.head)]
     for _ in range(4):
         pi = rng.uniform(0.5, 1.5, n) * length / n
-        evaluation = evaluate(network, ngsets.as_words(random_sets(rng, n)), pi, random_cuts(rng, n, 1), fleet, 0.0)
+        evaluation = evaluate(network, random_sets(rng, n), pi, random_cuts(rng, n, 1), fleet, 0.0)
         network = evaluation.eliminated(length * (1 + 1e-7), 0.0)
         _assert_flown(network, graph, routes)
         sizes.append(len(network.arcs.head))

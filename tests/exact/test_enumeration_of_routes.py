@@ -3,11 +3,10 @@
 import numpy as np
 import pytest
 
-from mamttsp.exact import ngsets
 from mamttsp.exact.enumeration import Enumeration
 from mamttsp.exact.evaluation import evaluate
 from mamttsp.exact.fleet import Fleet
-from mamttsp.exact.sets import members
+from mamttsp.exact.sets import to_marks
 from mamttsp.options import Clock
 from mamttsp.timing import best_times
 from tests.exact.networks import (
@@ -38,7 +37,7 @@ def _evaluation(seed, n_agents, cuts=3):
     n, fleet = graph.n_targets, Fleet.of(graph) if n_agents is None else alike(n_agents)
     length, routes = best_solution(graph, fleet)
     pi = rng.uniform(0.6, 1.4, n) * length / n
-    N = ngsets.as_words(random_sets(rng, n))
+    N = random_sets(rng, n)
     return graph, length, routes, evaluate(network_of(graph, 6.0), N, pi, random_cuts(rng, n, cuts), fleet, 0.0)
 
 
@@ -51,7 +50,8 @@ def _cost_by_set(found):
 
 
 def _keys(found):
-    return [(int(k), frozenset(members(visited))) for k, visited in zip(found.agents, found.visited)]
+    served = to_marks(found.visited, found.n)
+    return [(int(k), frozenset(np.flatnonzero(marks))) for k, marks in zip(found.agents, served)]
 
 
 def _key(graph, route):

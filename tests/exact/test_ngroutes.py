@@ -13,7 +13,7 @@ from mamttsp.exact.cuts import Cuts
 from mamttsp.exact.evaluation import evaluate
 from mamttsp.exact.fleet import Fleet
 from mamttsp.exact.legs import after_leg, before_leg, least, share_before, tangent
-from mamttsp.exact.sets import members
+from mamttsp.exact.sets import to_marks, to_words
 from tests.exact.networks import (
     in_full,
     load,
@@ -86,14 +86,13 @@ def _at(pieces, q, time, left, right):
 
 def _entries(lists, q):
     """Return (memory as a set, parity, load, left, right) of each entry of a piece."""
-    rows = range(lists.first[q], lists.first[q] + lists.count[q])
-    return [
-        (set(members(lists.memory[x])), lists.parity[x], lists.load[x], lists.left[x], lists.right[x]) for x in rows
-    ]
+    rows = slice(lists.first[q], lists.first[q] + lists.count[q])
+    memory = [set(np.flatnonzero(marks)) for marks in to_marks(lists.memory[rows], 64)]
+    return list(zip(memory, lists.parity[rows], lists.load[rows], lists.left[rows], lists.right[rows]))
 
 
 def _values(side, prices):
-    return ngroutes.values_to_go(side, prices, 0.0, len(prices.pi), ngroutes.ALL_ENTRIES)[0]
+    return ngroutes.values_to_go(side, prices, 0.0, len(prices.pi), ngroutes.ALL_ENTRIES)
 
 
 @pytest.mark.parametrize("seed, width, kind", list(itertools.product(SEEDS, WIDTHS, KINDS)))
@@ -101,7 +100,7 @@ def test_every_real_routes_rest_costs_at_least_its_value_to_go(seed, width, kind
     rng, graph = np.random.default_rng(seed), kind(seed)
     network, n = network_of(graph, width), graph.n_targets
     pi, cuts = rng.uniform(0, 50, n), random_cuts(rng, n, seed % 3)
-    prices = ngroutes.Prices(pi, ngsets.as_words(random_sets(rng, n)), *cuts.words)
+    prices = ngroutes.Prices(pi, to_words(random_sets(rng, n)), *cuts.words)
     lists, checked = _values(network.ahead, prices), 0
     for route, times, legs in timed_routes(graph, rng):
         tau = graph.tau[list(route)].tolist()
@@ -127,7 +126,7 @@ def test_backward_in_time_every_real_routes_beginning_costs_at_least_its_value(s
     rng, graph = np.random.default_rng(seed), kind(seed)
     network, n = network_of(graph, width), graph.n_targets
     pi = rng.uniform(0, 50, n)
-    prices = ngroutes.Prices(pi, ngsets.as_words(random_sets(rng, n)), *Cuts.none(n).words)
+    prices = ngroutes.Prices(pi, to_words(random_sets(rng, n)), *Cuts.none(n).words)
     lists, checked = _values(network.back, prices), 0
     for route, times, legs in timed_routes(graph, rng):
         tau, room = graph.tau[list(route)].tolist(), graph.room[graph.layer[route[0]]]
@@ -186,7 +185,7 @@ def test_the_cheapest_start_is_the_least_over_all_ng_walks(seed, kind):
     N, pi, cuts = random_sets(rng, n), rng.uniform(0, 40, n), random_cuts(rng, n, seed % 4)
     legs = _legs(network.arcs)
     expected = min(_cost_of_walk(network, legs, walk, pi, cuts) for walk in _plain_ng_walks(network, N, longest))
-    evaluation = evaluate(network, ngsets.as_words(N), pi, cuts, Fleet.of(graph), 0.0)
+    evaluation = evaluate(network, N, pi, cuts, Fleet.of(graph), 0.0)
     assert evaluation.cheapest.min() <= expected + _NOISE
     q = int(np.argmin(evaluation.cost))
     route = ngroutes.trace(network.ahead, evaluation.prices, evaluation.lists, q, evaluation.entry[q], 3 * n)
