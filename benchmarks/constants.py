@@ -54,6 +54,8 @@ VARIED = {
     "near": (0.003, 0.03),
     "timed": (0, 20),
     "enumeration": (0.5, 5.0),
+    "enumeration_early": (0.0, 2.0),
+    "enumeration_last": (1.5, 60.0),
     "fewer_arcs": (0.7, 1.0),
     "worthwhile": (0.02, 0.2),
     "cuts": (5, 40),

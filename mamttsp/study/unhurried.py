@@ -26,5 +26,5 @@ def ascent(generation, limit):
     """Run column generation until it converges or reaches `limit`, in units; return the bounds of its evaluations."""
     bounds = []
     with Watch() as clock:
-        generation.run(limit, clock, bounds.append)
+        generation.run(None, limit, clock, bounds.append)
     return bounds

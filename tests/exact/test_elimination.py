@@ -49,7 +49,7 @@ def test_at_good_prices_little_else_stays(seed, graph, fleet):
     network, n = network_of(graph, 3.0), graph.n_targets
     generation = ColumnGeneration(network, n, fleet, np.full(n, length / n), Parameters(), graph.size)
     with Watch() as clock:
-        generation.run(length, clock, lambda evaluation: None)
+        generation.run(None, length, clock, lambda bound: None)
     left = generation.best.eliminated(length * (1 + 1e-7), generation.tolerance)
     _assert_flown(left, graph, routes)
     assert len(left.arcs.head) < 0.3 * len(network.arcs.head)

@@ -7,7 +7,7 @@ from mamttsp.exact.enumeration import Enumeration
 from mamttsp.exact.evaluation import evaluate
 from mamttsp.exact.fleet import Fleet
 from mamttsp.exact.sets import to_marks
-from mamttsp.options import Clock
+from mamttsp.options import Watch
 from mamttsp.timing import best_times
 from tests.exact.networks import (
     alike,
@@ -29,7 +29,7 @@ NO_LIMIT = np.full(2, 1e9)
 
 
 def _enumeration(evaluation, slack, whole=False, most=np.inf, budget=np.inf):
-    return Enumeration(evaluation, slack, len(evaluation.pi), whole, most, budget, np.inf, Clock())
+    return Enumeration(evaluation, slack, len(evaluation.pi), whole, most, budget, np.inf, Watch())
 
 
 def _evaluation(seed, n_agents, cuts=3):
