@@ -151,20 +151,13 @@ class Evaluation:
     def eliminated(self, limit, tolerance):
         """Return the Network of what lies on a relaxed solution of value at most `limit`."""
         network, slack = self.network, self.slack(limit)
-        allowed = slack[self.pieces.layer]
         back = _values(network.back, self.prices, tolerance)
         alive = arcs_alive(network.ahead, self.prices, self.lists, back, slack)
-        back_cost, _ = ngroutes.cheapest_starts(
-            network.pieces._replace(first=network.pieces.last, ready=np.full(len(network.starts), -np.inf)),
-            self.prices, _flipped(back),
-        )  # fmt: skip
+        back_cost, _ = ngroutes.cheapest_starts(network.back, self.prices, back)
+        allowed = slack[self.pieces.layer]
         return restricted(
             network, alive, network.starts & (self.cost <= allowed), network.ends & (back_cost <= allowed)
         )
-
-
-def _flipped(lists):
-    return lists._replace(left=lists.right, right=lists.left)
 
 
 def evaluate(network, N, pi, cuts, fleet, tolerance, most_entries=None):
@@ -175,7 +168,7 @@ def evaluate(network, N, pi, cuts, fleet, tolerance, most_entries=None):
     """
     prices = ngroutes.Prices(pi, to_words(N), *cuts.words)
     lists = _values(network.ahead, prices, tolerance, most_entries)
-    cost, entry = ngroutes.cheapest_starts(network.pieces, prices, lists)
+    cost, entry = ngroutes.cheapest_starts(network.ahead, prices, lists)
     n = len(pi)
     return Evaluation(
         network, pi, cuts, fleet, prices, lists, cost - n * tolerance, entry, most_entries is None

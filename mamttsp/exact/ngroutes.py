@@ -29,9 +29,9 @@ ALL_ENTRIES = 1 << 40
 class Side(NamedTuple):
     """The pieces and arcs as seen in one direction of time.
 
-    order: (Q,) pieces, the last first; target, layer, a, width: (Q,); end: (Q, 2) the leg home at both ends of a piece;
-    start, head, leg: as in Arcs; back_start, back: the tails of the arcs into each piece; speed, demand, room: as in
-    Pieces.
+    order: (Q,) pieces, the last first; target, layer, a, width: (Q,); begin, end: (Q, 2) the legs from and to the depot
+    at both ends of a piece; ready: (Q,) earliest time there; start, head, leg: as in Arcs; back_start, back: the tails
+    of the arcs into each piece; speed, demand, room: as in Pieces.
     """
 
     order: np.ndarray
@@ -39,7 +39,9 @@ class Side(NamedTuple):
     layer: np.ndarray
     a: np.ndarray
     width: np.ndarray
+    begin: np.ndarray
     end: np.ndarray
+    ready: np.ndarray
     start: np.ndarray
     head: np.ndarray
     leg: np.ndarray
@@ -80,19 +82,23 @@ def sides(pieces, arcs):
     width = pieces.b - pieces.a
     by_head = np.argsort(arcs.head, kind="stable")
     into = np.searchsorted(arcs.head[by_head], np.arange(len(width) + 1))
-    ahead = _side(pieces, pieces.a, pieces.last, arcs.start, arcs.head, arcs.leg, into, arcs.tail[by_head])
+    ahead = _side(
+        pieces, pieces.a, pieces.first, pieces.last, pieces.ready, arcs.start, arcs.head, arcs.leg, into,
+        arcs.tail[by_head],
+    )  # fmt: skip
     leg = arcs.leg[by_head]
     value = leg[:, 0] + leg[:, 1] * width[arcs.tail[by_head]] + leg[:, 2] * width[arcs.head[by_head]]
     leg = np.c_[value, -leg[:, 2], -leg[:, 1]]
-    start = np.ascontiguousarray(pieces.first[:, ::-1])
-    back = _side(pieces, -pieces.b, start, into, arcs.tail[by_head], leg, arcs.start, arcs.head)
+    begin, end = np.ascontiguousarray(pieces.last[:, ::-1]), np.ascontiguousarray(pieces.first[:, ::-1])
+    always = np.full(len(width), -np.inf)
+    back = _side(pieces, -pieces.b, begin, end, always, into, arcs.tail[by_head], leg, arcs.start, arcs.head)
     return ahead, back
 
 
-def _side(pieces, a, end, start, head, leg, back_start, back):
+def _side(pieces, a, begin, end, ready, start, head, leg, back_start, back):
     return Side(
-        np.argsort(-a, kind="stable"), pieces.target, pieces.layer, a, pieces.b - pieces.a, end, start, head, leg,
-        back_start, back, pieces.speed, pieces.demand, pieces.room,
+        np.argsort(-a, kind="stable"), pieces.target, pieces.layer, a, pieces.b - pieces.a, begin, end, ready, start,
+        head, leg, back_start, back, pieces.speed, pieces.demand, pieces.room,
     )  # fmt: skip
 
 
@@ -279,21 +285,19 @@ def _unchanged(work, known, lists, q, tolerance):
 
 
 @compiled
-def cheapest_starts(pieces, prices, lists):
+def cheapest_starts(side, prices, lists):
     """Return (cost, entry), each (Q,): the least reduced cost of an ng-route that begins at each piece, and the first
     entry of its list on it; infinite and -1 where there is none."""
-    Q = len(pieces.a)
+    Q = len(side.a)
     cost, entry = np.full(Q, np.inf), np.full(Q, -1)
     for q in range(Q):
-        if pieces.first[q, 0] == np.inf:
+        if side.begin[q, 0] == np.inf:
             continue
-        u = pieces.target[q]
-        share = share_before(pieces.ready[q], pieces.a[q], pieces.b[q] - pieces.a[q])
+        u = side.target[q]
+        share = share_before(side.ready[q], side.a[q], side.width[q])
         for x in range(lists.first[q], lists.first[q] + lists.count[q]):
             pay = penalty(lists.parity[x] & prices.inside[u], prices.sigma) - prices.pi[u]
-            value = pay + least(
-                pieces.first[q, 0] + lists.left[x], pieces.first[q, 1] + lists.right[x], share
-            )  # fmt: skip
+            value = pay + least(side.begin[q, 0] + lists.left[x], side.begin[q, 1] + lists.right[x], share)
             if value < cost[q]:
                 cost[q], entry[q] = value, x
     return cost, entry
