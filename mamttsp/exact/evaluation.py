@@ -155,7 +155,9 @@ class Evaluation:
         alive = arcs_alive(network.ahead, self.prices, self.lists, back, slack)
         back_cost, _ = ngroutes.cheapest_starts(network.back, self.prices, back)
         allowed = slack[self.pieces.layer]
-        return restricted(network, alive, network.starts & (self.cost <= allowed), network.ends & (back_cost <= allowed))
+        return restricted(
+            network, alive, network.starts & (self.cost <= allowed), network.ends & (back_cost <= allowed)
+        )
 
 
 def evaluate(network, N, pi, cuts, fleet, tolerance, most_entries=None):
