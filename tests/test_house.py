@@ -9,7 +9,7 @@ import pytest
 PACKAGE = Path(__file__).parents[1] / "mamttsp"
 #: by folder of the package: its modules and folders in order
 ORDER = {
-    "": """schemas validation compiled motion random_order jsonfile paths agents instance graph tours conic_solver
+    "": """validation schemas compiled motion random_order jsonfile paths agents instance graph tours conic_solver
         timing infeasibility generate library readers tracks solution_table solution flow
         options display versions figures look
         formulations branch_and_bound backends exact warm_up relaxation cut_loop plain_model start solve
