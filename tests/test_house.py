@@ -10,7 +10,7 @@ PACKAGE = Path(__file__).parents[1] / "mamttsp"
 #: by folder of the package: its modules and folders in order
 ORDER = {
     "": """validation schemas compiled motion random_order jsonfile paths agents instance graph tours conic_solver
-        timing infeasibility generate library readers tracks solution_table solution flow
+        silent_highs timing infeasibility generate library readers tracks solution_table solution flow
         options display versions figures look
         formulations branch_and_bound backends exact warm_up relaxation cut_loop plain_model start solve
         experiments study arguments __main__""",
