@@ -66,6 +66,7 @@ lint: venv
 	$(BIN)/python -m ruff format --check
 	$(BIN)/python -m mypy
 
+# Another version of numba compiles into a folder of its own, or it would throw away what .venv has compiled.
 lowest:
 	@echo "== Installing the lowest versions that pyproject.toml allows into build/lowest =="
 	@mkdir -p build
@@ -73,7 +74,7 @@ lowest:
 	$(PYTHON) .ci/lowest.py > build/lowest.txt
 	build/lowest/bin/python -m pip install --quiet --disable-pip-version-check -r build/lowest.txt \
 		hypothesis pytest pytest-benchmark pytest-timeout pytest-xdist
-	build/lowest/bin/python -m pytest -n 2 -W ignore $(LOWEST)
+	NUMBA_CACHE_DIR=$(CURDIR)/build/lowest/compiled build/lowest/bin/python -m pytest -n 2 -W ignore $(LOWEST)
 
 notebooks: venv
 	@set -e; sockets=$$(mktemp -d); trap 'rm -rf "$$sockets"' EXIT; for notebook in $(NOTEBOOKS); do echo "-- $$notebook"; $(RUN_NOTEBOOK) $$notebook; done

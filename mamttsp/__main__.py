@@ -16,7 +16,7 @@ from .solve import solve
 from .tours import TourError, check
 from .validation import InputError, counted
 from .versions import versions
-from .warm_up import ensure_compiled
+from .warm_up import PARTS, ensure_compiled
 
 #: of a film, however long the tours take
 _PICTURES = 100
@@ -155,7 +155,8 @@ def _verify(arguments):
 
 def _versions(arguments):
     if arguments.warm_up:
-        ensure_compiled()
+        for part in PARTS:
+            ensure_compiled(part)
     print(versions())
     return 0
 

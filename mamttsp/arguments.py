@@ -70,7 +70,7 @@ def parser():
     command.add_argument("folder", metavar="FOLDER", nargs="?", default="paper_results", help=folder)
 
     command = commands.add_parser("versions", help="what to put into a bug report")
-    command.add_argument("--warm-up", action="store_true", help="compile the exact method first, for images and CI")
+    command.add_argument("--warm-up", action="store_true", help="compile what is compiled first, for images and CI")
     return whole
 
 

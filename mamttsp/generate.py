@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from .agents import Agents
 from .instance import Instance, Target
-from .validation import InputError, array, is_number, positive, whole
+from .validation import InputError, array, is_number, listed, positive, whole
 
 PAPER_SIZES = (5, 10, 15, 20)
 PAPER_INDICES = range(20)
@@ -108,9 +108,9 @@ def _agents(agents, n_agents, max_speed):
         return [Agents(whole("n_agents", n_agents, 1), (0.0, 0.0), max_speed)]
     if (n_agents, max_speed) != (1, 4.0):
         raise InputError("agents: give either agents or n_agents and max_speed")
-    agents = list(agents)
-    if not agents or not all(isinstance(entry, Agents) for entry in agents):
-        raise InputError("agents: expected a list of at least one Agents")
+    agents = listed("agents", agents, Agents)
+    if not agents:
+        raise InputError("agents: expected at least one entry")
     return agents
 
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from .instance import Instance
 from .motion import TIME_SLACK
-from .validation import InputError, of_type
+from .validation import InputError, number, of_type, whole
 
 #: relative slack within which a sum of demands is no more than a capacity
 LOAD_SLACK = 1e-9
@@ -98,19 +98,20 @@ class Graph:
 
     def C(self, u: int) -> np.ndarray:
         """Return the nodes of the cluster C_u: the segments of target u."""
-        return np.flatnonzero(self.tau == u)
+        return np.flatnonzero(self.tau == whole("u", u, 0))
 
     def into(self, i: int) -> np.ndarray:
         """Return the indices of E_i^in, the edges that enter node i."""
-        return np.flatnonzero(self.edges[:, 1] == i)
+        return np.flatnonzero(self.edges[:, 1] == whole("i", i, 0))
 
     def out_of(self, i: int) -> np.ndarray:
         """Return the indices of E_i^out, the edges that leave node i."""
-        return np.flatnonzero(self.edges[:, 0] == i)
+        return np.flatnonzero(self.edges[:, 0] == whole("i", i, 0))
 
     def position(self, i: int, t: float) -> np.ndarray:
         """Return the position (2,) of node i at time t."""
-        return self.p_lo[i] + (t - self.t_lo[i]) * self.v[i]
+        whole("i", i, 0)
+        return self.p_lo[i] + (number("t", t) - self.t_lo[i]) * self.v[i]
 
 
 def build_graph(instance: Instance, prune: bool = False, by_agent: bool = False) -> Graph:

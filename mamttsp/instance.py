@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 from .agents import Agents
 from .jsonfile import check_header, read_json, require, write_json
 from .paths import frame_paths, linear_paths, parked_path
-from .validation import InputError, array, at_least_0, brief, positive, whole
+from .validation import InputError, array, at_least_0, floats, listed, positive, whole
 
 if TYPE_CHECKING:
     import pandas
@@ -68,7 +68,8 @@ class Target:
         return cls(**parked_path(point, windows))
 
     def position(self, t: float | Sequence[float] | np.ndarray) -> np.ndarray:
-        """Return the position (2,) at time t, or (len(t), 2) for an array of times."""
+        """Return the position (2,) at time t, or (len(t), 2) for an array of times; InputError: t is no such thing."""
+        t = floats("t", t, "a time in s, or an array of times")
         return np.stack([np.interp(t, self.times, self.points[:, axis]) for axis in (0, 1)], axis=-1)
 
     @property
@@ -115,9 +116,7 @@ class Instance:
         *,
         agents: Iterable[Agents] | None = None,
     ) -> None:
-        if isinstance(targets, (str, dict)) or not isinstance(targets, Iterable):
-            raise InputError(f"targets: expected a list of Targets, found {brief(targets)}")
-        object.__setattr__(self, "targets", tuple(targets))
+        object.__setattr__(self, "targets", listed("targets", targets, Target))
         object.__setattr__(self, "agents", _agents(agents, n_agents, depot, max_speed))
         object.__setattr__(self, "horizon", positive("horizon", horizon))
         object.__setattr__(self, "R", None if R is None else positive("R", R))
@@ -283,14 +282,9 @@ def _agents(agents, n_agents, depot, max_speed):
         return (Agents(whole("n_agents", n_agents, 1), depot, max_speed),)
     if given := [name for name, value in papers.items() if value is not None]:
         raise InputError(f"{given[0]}: given as well as agents, which say it all")
-    if isinstance(agents, (str, dict)) or not isinstance(agents, Iterable):
-        raise InputError(f"agents: expected a list of Agents, found {brief(agents)}")
-    agents = tuple(agents)
+    agents = listed("agents", agents, Agents)
     if not agents:
         raise InputError("agents: expected at least one entry")
-    for k, entry in enumerate(agents):
-        if not isinstance(entry, Agents):
-            raise InputError(f"agents[{k}]: expected Agents, found {type(entry).__name__}")
     return agents
 
 
@@ -339,8 +333,6 @@ def _check_targets(instance):
     slowest = min(range(len(instance.agents)), key=lambda k: instance.agents[k].max_speed)
     max_speed = instance.agents[slowest].max_speed
     for u, target in enumerate(instance.targets):
-        if not isinstance(target, Target):
-            raise InputError(f"targets[{u}]: expected a Target, found {type(target).__name__}")
         if target.windows[0, 0] < 0 or target.windows[-1, 1] > instance.horizon:
             raise InputError(f"targets[{u}].windows: expected times from 0 to the horizon {instance.horizon:g}")
         if (fastest := target.speeds.max()) >= max_speed:

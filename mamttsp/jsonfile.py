@@ -3,16 +3,15 @@
 import contextlib
 import json
 import os
-from pathlib import Path
 
-from .validation import InputError, of_type
+from .validation import InputError, file_path
 
 
 def read_json(path, build):
     """Read the JSON file at `path` and return build(object); every InputError is prefixed with the path."""
-    of_type("path", path, (str, os.PathLike))
+    file = file_path("path", path)
     try:
-        text = Path(path).read_text(encoding="utf-8")
+        text = file.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
         raise InputError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from error
     try:
@@ -29,7 +28,7 @@ def read_json(path, build):
 
 def write_json(data, path):
     """Write `data` as JSON to `path` through a temporary file, so that a failure leaves the old file as it was."""
-    path = Path(of_type("path", path, (str, os.PathLike)))
+    path = file_path("path", path)
     temporary = path.with_name(f"{path.name}.{os.getpid()}.tmp")
     try:
         temporary.write_text(json.dumps(data, allow_nan=False) + "\n", encoding="utf-8")

@@ -12,7 +12,7 @@ from .agents import Agents
 from .generate import GENERATOR_VERSION, PAPER_INDICES, PAPER_SIZES, generate
 from .instance import Instance
 from .jsonfile import write_json
-from .validation import InputError, brief, of_type
+from .validation import InputError, brief, file_path, of_type
 
 #: where the files are in the repository
 FOLDER = Path(__file__).parents[1] / "paper_results" / "instances"
@@ -42,7 +42,7 @@ def load(name: str, n_agents: int | None = None, folder: str | os.PathLike[str] 
         )
     if found[5] is not None and n_agents is not None:
         raise InputError(f"n_agents: {brief(name)} says it already")
-    instance = Instance.read(Path(folder) / f"{short}.json")
+    instance = Instance.read(file_path("folder", folder) / f"{short}.json")
     agents = n_agents if found[5] is None else int(found[5])
     return instance if agents is None else instance.with_agents(agents)
 

@@ -39,24 +39,25 @@ def visits(instance: Instance, solution: Iterable[Tour] | HasTours) -> "pandas.D
     return pandas.DataFrame(list(_rows(instance, as_tours(solution))), columns=_COLUMNS)
 
 
-def plot(instance: Instance, solution: Iterable[Tour] | HasTours | None = None, ax: "Axes | None" = None) -> "Axes":
+def plot(
+    instance: Instance,
+    solution: Iterable[Tour] | HasTours | None = None,
+    ax: "Axes | None" = None,
+    unit: str = "units",
+) -> "Axes":
     """Draw an instance from above, with the tours of a solution if there is one, and return the axes.
 
-    solution: a Solution, or tours. `mamttsp.figures` has more drawings, and `figures.save` to write one to a file.
-    InputError: not an Instance, no tours, or no axes.
+    solution: a Solution, or tours; unit: of lengths, as the axes name it, such as "km". `mamttsp.figures` has more
+    drawings, and `figures.save` to write one to a file. InputError: not an Instance, no tours, or no axes.
 
     >>> import mamttsp
     >>> ax = mamttsp.plot(mamttsp.generate(n_targets=3, total_window=20, seed=1))
     >>> ax.get_xlabel()
     'x (units)'
     """
-    from matplotlib.axes import Axes  # here: matplotlib takes its time
+    from .figures import plan_view  # here: matplotlib takes its time
 
-    from .figures import plan_view
-
-    if ax is not None:
-        of_type("ax", ax, Axes)
-    return plan_view(instance, () if solution is None else solution, ax=ax)
+    return plan_view(instance, () if solution is None else solution, ax=ax, unit=unit)
 
 
 def _rows(instance, tours):

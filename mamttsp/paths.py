@@ -70,4 +70,7 @@ def _groups(what, frame, columns):
     groups = {}
     for name, *row in zip(*(frame[column].tolist() for column in ("target", *columns))):
         groups.setdefault(name, []).append(tuple(row))
-    return {name: sorted(rows) for name, rows in groups.items()}
+    try:
+        return {name: sorted(rows) for name, rows in groups.items()}
+    except TypeError:
+        raise InputError(f"{what}: expected numbers in the columns {', '.join(columns)}") from None

@@ -11,7 +11,7 @@ import numpy as np
 from .agents import Agents
 from .instance import Instance, Target
 from .jsonfile import read_json, require
-from .validation import InputError, counted, whole
+from .validation import InputError, counted, file_path, whole
 
 
 def read_linear_motions(targets: str | Path, agent: str | Path, n_agents: int = 1) -> Instance:
@@ -24,13 +24,13 @@ def read_linear_motions(targets: str | Path, agent: str | Path, n_agents: int = 
     A `radius` of a target is left out: there an agent that comes so near has met it, here it has to be at the target,
     so that optima here are longer. InputError: a file that cannot be read, a field that is missing or wrong.
     """
-    fleet = _read_toml(agent)
+    fleet = _read_toml(file_path("agent", agent))
     for section, *fields in (("depot", "px", "py"), ("param", "T", "vmax")):
         if not isinstance(fleet.get(section), dict):
             raise InputError(f"{agent}: {section}: expected a table with {', '.join(fields)}")
         _require(fleet[section], agent, f"{section}.", *fields)
     depot, param = fleet["depot"], fleet["param"]
-    paths = read_json(targets, _motions)
+    paths = read_json(file_path("targets", targets), _motions)
     named = {"n_agents": n_agents, "depot": (depot["px"], depot["py"]), "max_speed": param["vmax"]}
     try:
         p, v, windows = (list(column) for column in zip(*paths))
@@ -87,7 +87,7 @@ def _motions(data):
 
 def _read_toml(path):
     try:
-        return tomllib.loads(Path(path).read_text(encoding="utf-8"))
+        return tomllib.loads(path.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError) as error:
         raise InputError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from error
     except tomllib.TOMLDecodeError as error:
@@ -107,7 +107,7 @@ def _read_vrplib(path):
     except ImportError as error:
         raise InputError("vrplib is not installed; pip install vrplib") from error
     try:
-        data = vrplib.read_instance(path, instance_format="solomon", compute_edge_weights=False)
+        data = vrplib.read_instance(file_path("path", path), instance_format="solomon", compute_edge_weights=False)
     except OSError as error:
         raise InputError(f"{path}: cannot be read: {error.strerror}") from error
     except (ValueError, RuntimeError, IndexError, TypeError) as error:

@@ -10,6 +10,7 @@ from .solution import INFEASIBLE, UNKNOWN, Solution
 from .start import begin_with, no_longer
 from .tours import HasTours, Tour, check
 from .validation import InputError, brief, of_type
+from .warm_up import PARTS, ensure_compiled
 
 #: our own solver, and the paper's formulations
 ALL_METHODS = ("exact", *METHODS)
@@ -34,8 +35,8 @@ def solve(
 
     method: "exact" (our own solver), "micp", "baseline" or "nonconvex" (the paper's formulations).
     modeler: "pyomo" or "cvxpy", and solver: one of backends.SOLVERS, for a formulation; None takes the fastest open
-    one. time_limit: s of wall time, None for none. Building the model counts; compiling the exact method, once on a
-    machine, does not. gap: relative gap, as a fraction, that counts as optimal: what a solver has searched to the end
+    one. time_limit: s of wall time, None for none. Building the model counts; compiling what a method needs, once on
+    a machine, does not. gap: relative gap, as a fraction, that counts as optimal: what a solver has searched to the end
     may still be "feasible" if its accuracy (about 1e-5) does not prove a smaller one. threads, seed, verbose: handed to
     the solver; progress: called with an options.Progress now and then (options.Options says which solvers do without).
     prune: leave out the edges that no agent can fly in time (the exact method always does).
@@ -78,6 +79,9 @@ def _solve_formulation(instance, method, modeler, solver, prune, subtour_cuts, o
     clock = Clock(options.time_limit)
     kind, solve_with = (Solution, solve_without_cycles) if subtour_cuts else (PaperSolution, paper_solution)
     try:
+        if solver in PARTS:
+            ensure_compiled(solver)
+            clock = Clock(options.time_limit)
         run = backend(solver).solve
         formulation = build_formulation(method, modeler, graph_for(method, instance, prune))
         found = solve_with(formulation, run, options, clock)
@@ -95,7 +99,6 @@ def _solve_exact(instance, options, modeler, solver, subtour_cuts):
     if options.threads > 1:
         raise InputError(f'threads: method "exact" runs on one core, found {options.threads}; leave it at 1')
     from .exact import solve_exact
-    from .warm_up import ensure_compiled
 
     try:
         ensure_compiled()

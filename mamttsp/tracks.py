@@ -7,7 +7,7 @@ when it is inside an area.
 import numpy as np
 
 from .instance import Target
-from .validation import InputError, array, brief, positive
+from .validation import InputError, array, brief, floats, positive
 
 #: km, mean radius of the earth
 _EARTH = 6371.0088
@@ -39,7 +39,7 @@ def tracks_to_targets(frame, area, tolerance):
     pair = next((pair for pair in (("x", "y"), ("lon", "lat")) if set(pair) <= set(columns)), None)
     if pair is None or not {"track", "time"} <= set(columns):
         raise InputError("frame: expected a DataFrame with the columns track, time and x, y or lon, lat")
-    places = frame[list(pair)].to_numpy(dtype=float)
+    places = floats(f"frame: {', '.join(pair)}", frame[list(pair)].to_numpy(), "numbers")
     if pair == ("lon", "lat"):
         middle = (area.min(axis=0) + area.max(axis=0)) / 2
         places, area = project(places, middle), project(area, middle)

@@ -1,7 +1,10 @@
 """What a person may give: InputError, and the checks of numbers and arrays that every room shares."""
 
 import math
+import os
+from collections.abc import Iterable
 from numbers import Real
+from pathlib import Path
 
 import numpy as np
 
@@ -19,6 +22,19 @@ def of_type(name, value, kind):
     return value
 
 
+def file_path(name, value):
+    """Return `value`, a text or a path, as a Path, or raise InputError."""
+    return Path(of_type(name, value, (str, os.PathLike)))
+
+
+def listed(name, values, kind):
+    """Return `values`, a list or another sequence of things of the type `kind`, as a tuple, or raise InputError."""
+    if isinstance(values, (str, bytes, dict)) or not isinstance(values, Iterable):
+        several = kind.__name__.removesuffix("s") + "s"
+        raise InputError(f"{name}: expected a list of {several}, found {brief(values)}")
+    return tuple(of_type(f"{name}[{k}]", value, kind) for k, value in enumerate(values))
+
+
 def brief(value):
     """Return a value as it is written in code, on one line and not too long."""
     text = " ".join(repr(value).split())
@@ -33,12 +49,7 @@ def counted(count, noun):
 def array(name, value, shape):
     """Return `value` as a read-only float array of the shape (-1: any length), or raise InputError."""
     wanted = "x".join("K" if size < 0 else str(size) for size in shape)
-    try:
-        if any(isinstance(item, (str, bool)) for item in np.asarray(value, dtype=object).ravel()):
-            raise ValueError
-        numbers = np.array(value, dtype=float)
-    except (TypeError, ValueError, OverflowError):
-        raise InputError(f"{name}: expected numbers in the shape {wanted}") from None
+    numbers = floats(name, value, f"numbers in the shape {wanted}")
     if numbers.ndim != len(shape) or any(0 <= want != have for want, have in zip(shape, numbers.shape)):
         found = "x".join(map(str, numbers.shape)) or "a number"
         raise InputError(f"{name}: expected the shape {wanted}, found {found}")
@@ -46,6 +57,16 @@ def array(name, value, shape):
         raise InputError(f"{name}: every value must be finite")
     numbers.flags.writeable = False
     return numbers
+
+
+def floats(name, value, expected):
+    """Return `value` as a float array of its own shape, or raise InputError; `expected` says of what."""
+    try:
+        if any(isinstance(item, (str, bool, type(None))) for item in np.asarray(value, dtype=object).ravel()):
+            raise ValueError
+        return np.array(value, dtype=float)
+    except (TypeError, ValueError, OverflowError):
+        raise InputError(f"{name}: expected {expected}") from None
 
 
 def is_number(value):
@@ -60,6 +81,13 @@ def positive(name, value):
     """Return `value` as a float above 0, or raise InputError."""
     if not is_number(value) or value <= 0:
         raise InputError(f"{name}: expected a finite number above 0, found {brief(value)}")
+    return float(value)
+
+
+def number(name, value):
+    """Return `value` as a finite float, or raise InputError."""
+    if not is_number(value):
+        raise InputError(f"{name}: expected a finite number, found {brief(value)}")
     return float(value)
 
 

@@ -1,4 +1,4 @@
-"""Compiling is not solving: the exact method is compiled before a solve's clock starts, once on a machine.
+"""Compiling is not solving: what a method needs compiled is, before a solve's clock starts, once on a machine.
 
 A mark beside the compiled code says that it is there, for these sources, this numba, Python and processor. Any other of
 them needs its own.
@@ -8,26 +8,38 @@ import hashlib
 import sys
 from pathlib import Path
 
-#: s that compiling takes, on one core of 2020
-_ABOUT = 30
+import numpy as np
+
+#: what is compiled apart, for the exact method and for the back end "clarabel": what people call it, s that compiling
+#: takes on one core of 2020, the package in which it is
+PARTS = {
+    "exact": ("the exact solver", 30, "exact"),
+    "clarabel": ("our branch and bound", 3, "branch_and_bound"),
+}
 #: instances that need nearly all of the code, with one agent and two; and parameters that need the rest, rounds with
 #: shorter pieces before all labels fit
 _N_TARGETS, _TOTAL_WINDOW, _AGENTS = 11, 40, (1, 2)
 _SHORTER = {"enumeration": 0.01, "pieces_each": 2, "worthwhile": 2.0}
 
 
-def ensure_compiled(stream=None):
-    """Compile the exact method if this machine has not yet done so, and say so in a line on `stream` (stderr)."""
-    mark = _mark()
+def ensure_compiled(part="exact", stream=None):
+    """Compile one of PARTS if this machine has not yet done so, and say so in a line on `stream` (stderr)."""
+    mark, (name, about, _) = _mark(part), PARTS[part]
     if mark is None or mark.exists():
         return
-    line = f"compiling the exact solver, once on this machine: about {_ABOUT} s"
+    line = f"compiling {name}, once on this machine: about {about} s"
     print(line, file=sys.stderr if stream is None else stream, flush=True)
-    warm_up()
+    warm_up(part)
 
 
-def warm_up():
-    """Solve small instances that use all compiled code, so that it is there and later solves do not wait for it."""
+def warm_up(part="exact"):
+    """Run all compiled code of one of PARTS on small instances, so that it is there and later solves do not wait."""
+    {"exact": _solve_small_ones, "clarabel": _propagate}[part]()
+    if (mark := _mark(part)) is not None:
+        mark.touch()
+
+
+def _solve_small_ones():
     from .exact import Parameters, solve_exact
     from .generate import generate
     from .options import Options
@@ -35,22 +47,29 @@ def warm_up():
     for n_agents in _AGENTS:
         solve_exact(generate(_N_TARGETS, _TOTAL_WINDOW, n_agents), Options())
         solve_exact(generate(4, _TOTAL_WINDOW, n_agents), Options(), Parameters(**_SHORTER))
-    if (mark := _mark()) is not None:
-        mark.touch()
 
 
-def _mark():
+def _propagate():
+    from .branch_and_bound.propagation import propagate
+    from .graph import build_graph
+    from .instance import Instance, Target
+
+    graph = build_graph(Instance([Target.parked((1, 0), (0, 9))], n_agents=1, depot=(0, 0), max_speed=1, horizon=9))
+    propagate(graph, np.ones(len(graph.edges), dtype=bool))
+
+
+def _mark(part):
     """Return the path of the mark, in the folder in which numba keeps compiled code; None if numba does not compile."""
     import llvmlite.binding as llvm
     import numba
 
-    from . import exact, motion
+    from . import motion
 
     if not hasattr(motion.earliest_meeting, "stats"):  # NUMBA_DISABLE_JIT
         return None
-    folder = Path(exact.__file__).parent
+    folder = Path(__file__).parent / PARTS[part][2]
     features = sorted(name for name, there in llvm.get_host_cpu_features().items() if there)
     key = hashlib.sha256(repr((sys.version, numba.__version__, llvm.get_host_cpu_name(), features)).encode())
     for source in (Path(motion.__file__), *sorted(folder.rglob("*.py"))):
         key.update(source.read_bytes())
-    return Path(motion.earliest_meeting.stats.cache_path) / f"exact-{key.hexdigest()[:16]}.compiled"
+    return Path(motion.earliest_meeting.stats.cache_path) / f"{part}-{key.hexdigest()[:16]}.compiled"

@@ -25,7 +25,7 @@ WRONG = {
     "path: expected str or PathLike, found NoneType None": lambda: Solution.read(None),
     "path: expected str or PathLike, found float 1.5": lambda: GOOD.write(1.5),
     "targets: expected a list of Targets, found 3": lambda: Instance(3, 1, (0, 0), 1, 1),
-    "targets[0]: expected a Target, found dict": lambda: Instance([{}], 1, (0, 0), 1, 1),
+    "targets[0]: expected Target, found dict {}": lambda: Instance([{}], 1, (0, 0), 1, 1),
     "n_agents: expected a whole number of at least 1, found 'x'": lambda: GOOD.with_agents("x"),
     "points: expected": lambda: Target([0, 1], "somewhere", [(0, 1)]),
     "n_targets: expected a whole number of at least 1, found 'x'": lambda: mamttsp.generate("x", 20),

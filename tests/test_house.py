@@ -9,8 +9,8 @@ import pytest
 PACKAGE = Path(__file__).parents[1] / "mamttsp"
 #: by folder of the package: its modules and folders in order
 ORDER = {
-    "": """schemas validation compiled motion random_order jsonfile paths agents instance graph tours conic_solver
-        timing infeasibility generate library readers tracks solution_table solution flow
+    "": """validation schemas compiled motion random_order jsonfile paths agents instance graph tours conic_solver
+        silent_highs timing infeasibility generate library readers tracks solution_table solution flow
         options display versions figures look
         formulations branch_and_bound backends exact warm_up relaxation cut_loop plain_model start solve
         experiments study arguments __main__""",

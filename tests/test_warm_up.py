@@ -12,6 +12,8 @@ import pytest
 import mamttsp
 from mamttsp import generate, paper_instance, solve, warm_up
 from mamttsp.__main__ import main
+from mamttsp.branch_and_bound.propagation import _sweep
+from tests.examples import agents, general, still
 
 PACKAGE = Path(mamttsp.__file__).parent
 SMALL = generate(3, 20, seed=0)
@@ -19,57 +21,89 @@ SMALL = generate(3, 20, seed=0)
 
 @pytest.fixture
 def nothing_compiled(tmp_path, monkeypatch):
-    """As on a new machine, but compiling is a pause of 0.5 s; return the list of such pauses."""
-    mark, pauses = tmp_path / "mark", []
+    """As on a new machine, but compiling is a pause of 0.5 s; return the list of what was compiled."""
+    pauses = []
 
-    def pause():
-        pauses.append(time.sleep(0.5))
-        mark.touch()
+    def pause(part):
+        pauses.append(part)
+        time.sleep(0.5)
+        mark(part).touch()
 
-    monkeypatch.setattr(warm_up, "_mark", lambda: mark)
+    def mark(part):
+        return tmp_path / part
+
+    monkeypatch.setattr(warm_up, "_mark", mark)
     monkeypatch.setattr(warm_up, "warm_up", pause)
     return pauses
 
 
-def test_the_first_solve_compiles_before_its_clock_starts_and_says_so(nothing_compiled, capsys):
-    solve(SMALL)  # loads what is compiled, which takes longer than the limit below
-    warm_up._mark().unlink()
+@pytest.mark.parametrize(
+    "part, method, line",
+    [
+        ("exact", {}, "compiling the exact solver, once on this machine: about 30 s\n"),
+        (
+            "clarabel",
+            {"method": "micp", "solver": "clarabel"},
+            "compiling our branch and bound, once on this machine: about 3 s\n",
+        ),
+    ],
+)
+def test_the_first_solve_compiles_before_its_clock_starts_and_says_so(nothing_compiled, capsys, part, method, line):
+    solve(SMALL, **method)  # loads what is compiled, which takes longer than the limit below
+    warm_up._mark(part).unlink()
     capsys.readouterr()
-    solution = solve(SMALL, time_limit=0.4)
-    assert solution.status == "optimal" and solution.runtime < 0.4 and len(nothing_compiled) == 2
+    solution = solve(SMALL, time_limit=0.4, **method)
+    assert solution.status == "optimal" and solution.build_time + solution.runtime < 0.4
+    assert nothing_compiled == [part, part]
     told = capsys.readouterr()
-    assert told.out == "" and told.err == "compiling the exact solver, once on this machine: about 30 s\n"
-    solve(SMALL)
+    assert told.out == "" and told.err == line
+    solve(SMALL, **method)
     assert len(nothing_compiled) == 2 and capsys.readouterr().err == ""
 
 
-def test_ctrl_c_while_compiling_is_a_status(nothing_compiled, monkeypatch):
-    def interrupt():
+@pytest.mark.parametrize("method", [{}, {"method": "micp", "solver": "clarabel"}])
+def test_ctrl_c_while_compiling_is_a_status(nothing_compiled, monkeypatch, method):
+    def interrupt(part):
         raise KeyboardInterrupt
 
     monkeypatch.setattr(warm_up, "warm_up", interrupt)
-    solution = solve(SMALL)
+    solution = solve(SMALL, **method)
     assert (solution.status, solution.tours, solution.bound) == ("unknown", (), None)
 
 
-def test_nobody_else_compiles_the_exact_method(nothing_compiled):
-    assert solve(SMALL, "micp").status == "optimal" and not nothing_compiled
+@pytest.mark.parametrize("solver, compiled", [("scip", []), ("clarabel", ["clarabel"]), ("highs", [])])
+def test_nobody_compiles_what_it_does_not_need(nothing_compiled, solver, compiled):
+    assert solve(SMALL, "micp", solver=solver).status == "optimal" and nothing_compiled == compiled
+
+
+def test_the_branch_and_bound_has_nothing_left_to_compile():
+    warm_up.warm_up("clarabel")
+    (known,) = _sweep.signatures
+    unlike = general(still(10, 0), still(0, 10), types=[agents(), agents(depot=(30.0, 0.0), max_speed=6.0)])
+    for problem in (SMALL, unlike, generate(5, 40, 2, seed=1)):
+        for prune in (False, True):
+            assert solve(problem, "micp", solver="clarabel", prune=prune).status == "optimal"
+    assert _sweep.signatures == [known]
 
 
 def test_versions_can_warm_up(nothing_compiled, capsys):
     for _ in range(2):
         assert main(["versions", "--warm-up"]) == 0
     told = capsys.readouterr()
-    assert len(nothing_compiled) == 1 and told.err.count("compiling") == 1 and told.out.count("Python") == 2
+    assert nothing_compiled == ["exact", "clarabel"]
+    assert told.err.count("compiling") == 2 and told.out.count("Python") == 2
 
 
-def test_the_mark_is_that_of_these_sources(monkeypatch):
-    warm_up.ensure_compiled()
-    mark = warm_up._mark()
+@pytest.mark.parametrize("part, own", [("exact", "labels.py"), ("clarabel", "propagation.py")])
+def test_the_mark_is_that_of_these_sources(monkeypatch, part, own):
+    warm_up.ensure_compiled(part)
+    mark = warm_up._mark(part)
     assert mark.exists()
     read = Path.read_bytes
-    monkeypatch.setattr(Path, "read_bytes", lambda path: read(path) + b"# changed" * (path.name == "motion.py"))
-    assert warm_up._mark() != mark and warm_up._mark().parent == mark.parent
+    for changed, another in (("motion.py", True), (own, True), ("solve.py", False)):
+        with monkeypatch.context() as patch:
+            patch.setattr(Path, "read_bytes", lambda path: read(path) + b"# changed" * (path.name == changed))
+            assert (warm_up._mark(part) != mark) == another and warm_up._mark(part).parent == mark.parent
 
 
 def _run(*arguments, **variables):

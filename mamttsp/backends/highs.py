@@ -32,7 +32,7 @@ def solve(formulation, options):
     if search.best is not None:
         search.program.load(search.best)
         flow = formulation.flow()
-    version = ".".join(highspy.Highs().version().split(".")[:2])
+    version = ".".join(search.master.highs.version().split(".")[:2])
     return Answer(status, search.objective, search.bound, flow, search.nodes, clock.spent, f"highs {version}")
 
 

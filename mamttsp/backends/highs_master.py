@@ -5,6 +5,8 @@ import threading
 import highspy
 import numpy as np
 
+from ..silent_highs import SilentHighs
+
 #: feasibility tolerances, the second one to confirm what the first calls infeasible: HiGHS says so of feasible programs
 #: where targets miss each other by about its tolerance
 _TOLERANCES = (1e-9, 1e-6)
@@ -15,7 +17,7 @@ class Master:
     """A mixed-integer linear program in HiGHS whose optimum bounds the conic program's from below."""
 
     def __init__(self, program, options):
-        self.program, self.highs = program, highspy.Highs()
+        self.program, self.highs = program, SilentHighs()
         self.highs.setOptionValue("output_flag", options.verbose)
         self.highs.setOptionValue("threads", options.threads)
         self.highs.setOptionValue("random_seed", options.seed % 2**31)

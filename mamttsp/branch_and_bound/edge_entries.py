@@ -34,7 +34,7 @@ class Entries:
         for k, name in enumerate(("alpha", "l", "y", *names)):
             columns = np.atleast_1d(program.columns[name])
             kind[columns], owner[columns] = k, np.arange(len(columns))
-        row, column = A.coords
+        row, column = A.row, A.col  # what scipy 1.12 has too
         held = kind[column] >= 0
         return Entries(A.shape[0], row[held], kind[column[held]], owner[column[held]], A.data[held])
 

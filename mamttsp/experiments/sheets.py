@@ -3,7 +3,8 @@
 import matplotlib.pyplot as plt
 import pandas as pd
 
-from ..figures.column import COLUMN, WIDTH, caption_below, column_axes
+from ..figures.canvas import canvas
+from ..figures.column import COLUMN, WIDTH, caption_below
 from ..figures.gaps import true_gap_view
 from ..figures.plan import plan_view
 from ..figures.profiles import cactus_view, profile_view
@@ -126,7 +127,7 @@ def idle_agent_sheet(exact, path):
         )
     instance = paper_instance(10, int(row["index"]), 40, 3)
     length = check(instance, tours)
-    ax = plan_view(instance, tours, ax=column_axes(4.2))
+    ax = plan_view(instance, tours, ax=canvas(None, (WIDTH, 4.2)))
     ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=2, frameon=False)
     ax.set_title(f"10 targets, windows of 40 s: optimal tours, {length:.1f} units")
     return ax

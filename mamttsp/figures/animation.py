@@ -12,7 +12,8 @@ from PIL import Image
 
 from ..instance import Instance
 from ..tours import agents_of, as_tours
-from ..validation import counted, of_type, positive
+from ..validation import counted, number, of_type, positive
+from .canvas import canvas
 from .depots import depots
 from .plan import target_parts
 from .recording import PER_SECOND, Film, few_colours
@@ -23,15 +24,17 @@ _SIGNS = {"minus": "−", "plus": "+", "pause": "||", "play": "▶", "play fa-fl
 _SIGNS |= {"fast-backward": "|◀", "step-backward": "◀|", "step-forward": "|▶", "fast-forward": "▶|"}
 
 
-def moment_view(instance, tours, time, ax=None):
+def moment_view(instance, tours, time, ax=None, unit="units"):
     """Draw the plane at `time` in s: targets, agents and what these have flown so far; return the axes.
 
     A target is a dot on its grey path: filled while one of its windows is open, hollow before and after, gone once it
     is visited. Thick and yellow are the parts of the path in open windows. Agents move at constant speed on each leg.
-    tours: a Solution, or a sequence of Tour. InputError: not an Instance, or no tours.
+    tours: a Solution, or a sequence of Tour; unit: of lengths, as the axes name it, such as "km". InputError: not an
+    Instance, no tours, a time that is no number, or no axes.
     """
-    tours = as_tours(tours)
-    ax = ax or plt.figure(figsize=(6, 5.4), dpi=72, layout="constrained").add_subplot()
+    of_type("instance", instance, Instance)
+    tours, time = as_tours(tours), number("time", time)
+    ax = canvas(ax, (6, 5.4), dpi=72)
     visited = {visit.target for tour in tours for visit in tour.visits if visit.time <= time}
     for u, path, in_windows in target_parts(instance):
         ax.plot(*path[:, :2].T, **PATH)
@@ -50,17 +53,17 @@ def moment_view(instance, tours, time, ax=None):
     corners = np.vstack([*places, *(target.points for target in instance.targets)])
     margin = 0.04 * instance.size
     low, high = corners.min(axis=0) - margin, corners.max(axis=0) + margin
-    ax.set(xlabel="x (units)", ylabel="y (units)", xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
+    ax.set(xlabel=f"x ({unit})", ylabel=f"y ({unit})", xlim=(low[0], high[0]), ylim=(low[1], high[1]), aspect="equal")
     ax.set_title(f"{time:.0f} s: {len(visited)} of {counted(instance.n_targets, 'target')} visited")
     return ax
 
 
-def film(instance, tours, step=3.0):
+def film(instance, tours, step=3.0, unit="units"):
     """Return a Film of the tours: moments `step` seconds apart, from the start until the last agent is back.
 
     It plays without a kernel and without the network; where scripts are off, its first picture stands there. The same
-    tours give the same bytes. tours: a Solution, or a sequence of Tour. InputError: not an Instance, no tours, or a
-    step that is not above 0.
+    tours give the same bytes. tours: a Solution, or a sequence of Tour; unit: of lengths, as the axes name it, such as
+    "km". InputError: not an Instance, no tours, or a step that is not above 0.
 
     >>> from mamttsp import generate, solve
     >>> from mamttsp.figures import film
@@ -76,7 +79,7 @@ def film(instance, tours, step=3.0):
 
     def draw(time):
         ax.clear()
-        moment_view(instance, tours, time, ax)
+        moment_view(instance, tours, time, ax, unit)
 
     moments = step * np.arange(np.ceil(last / step) + 1)
     page = FuncAnimation(ax.figure, draw, moments, init_func=lambda: None).to_jshtml(

@@ -2,19 +2,12 @@
 
 import textwrap
 
-import matplotlib.pyplot as plt
-
 WIDTH = 3.5
 #: matplotlib's settings; `@plt.rc_context(COLUMN)` applies them to all that a function draws
 COLUMN = {"font.size": 7, "axes.titlesize": 7, "figure.titlesize": 7, "legend.fontsize": 6.5, "axes.linewidth": 0.6}
 COLUMN |= {"legend.title_fontsize": 7}
 COLUMN |= {"lines.linewidth": 1.1, "lines.markersize": 3.5, "hatch.linewidth": 0.5, "patch.linewidth": 0.6}
 COLUMN |= {"xtick.labelsize": 6.5, "ytick.labelsize": 6.5, "axes.labelpad": 2.0}
-
-
-def column_axes(height):
-    """Return the axes of a new figure, a column wide and `height` inches high."""
-    return plt.figure(figsize=(WIDTH, height), layout="constrained").add_subplot()
 
 
 def legend_above(ax):

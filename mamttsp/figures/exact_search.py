@@ -1,8 +1,8 @@
 """How the exact solver narrows things down: bounds that rise, and pieces still alive."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 
+from .canvas import canvas
 from .style import COLOURS, LINES, MARKERS, once
 
 
@@ -11,7 +11,7 @@ def ascent_view(bounds, optimum, ax=None):
 
     bounds: dict from a name to its bounds (units) after 1, 2, ... evaluations; optimum: of the instance, units.
     """
-    ax = ax or plt.figure(figsize=(6, 4), layout="constrained").add_subplot()
+    ax = canvas(ax, (6, 4))
     for k, (name, values) in enumerate(bounds.items()):
         numbers = range(1, len(values) + 1)
         ax.plot(numbers, values, color=COLOURS[k], linestyle=LINES[k], marker=MARKERS[k], label=name)
@@ -26,7 +26,7 @@ def alive_view(pieces, alive, visits=(), ax=None):
 
     visits: `tours.Visit`s, each a star on the row of its target.
     """
-    ax = ax or plt.figure(figsize=(8, 3.5), layout="constrained").add_subplot()
+    ax = canvas(ax, (8, 3.5))
     for name, which, colour in (("dropped", ~alive, "0.85"), ("alive", alive, COLOURS[0])):
         row, a, b = pieces.target[which], pieces.a[which], pieces.b[which]
         ax.barh(row, b - a, left=a, height=0.5, color=colour, edgecolor="white", linewidth=0.5, label=name)

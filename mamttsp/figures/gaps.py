@@ -3,7 +3,8 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from .column import COLUMN, column_axes, legend_above
+from .canvas import canvas
+from .column import COLUMN, WIDTH, legend_above
 from .style import bar_style, in_order, method_style, route_name
 
 #: % of the optimum; below the certificate's own tolerance the axis is linear
@@ -19,7 +20,7 @@ def true_gap_view(rows, side, ax=None):
     the optimum. A box holds the middle half of the runs, its line is the median, and the number above counts the runs
     without tours, which have no marker. The axis is logarithmic above 0.01 %, and linear below it.
     """
-    ax = ax or column_axes(2.4)
+    ax = canvas(ax, (WIDTH, 2.4))
     sizes, routes = sorted(set(rows.n)), in_order(rows.route)
     for k, route in enumerate(routes):
         for place, n in enumerate(sizes, start=1):

@@ -2,9 +2,12 @@
 
 import itertools
 
-import matplotlib.pyplot as plt
 import numpy as np
 
+from ..graph import Graph
+from ..instance import Instance
+from ..validation import array, floats, listed, number, of_type, whole
+from .canvas import canvas
 from .plan import target_parts
 from .style import COLOURS, DEPOT, LABEL, PATH, WINDOW, once
 
@@ -12,9 +15,14 @@ from .style import COLOURS, DEPOT, LABEL, PATH, WINDOW, once
 def reach_view(instance, place, time, meetings=(), ax=None):
     """Draw what an agent at (place, 0) at `time` can still reach, in x and time, and return the axes.
 
-    For targets on the line y = 0: the agent's cone is grey, `meetings`, rows (x, t), are dots.
+    For targets on the line y = 0: the agent's cone is grey, `meetings`, rows (x, t), are dots. InputError: not an
+    Instance, a place or time that is no number, meetings that are no such rows, or no axes.
     """
-    ax = ax or plt.figure(figsize=(7, 5), layout="constrained").add_subplot()
+    of_type("instance", instance, Instance)
+    place, time = number("place", place), number("time", time)
+    meetings = floats("meetings", meetings, "rows (x, t)")
+    meetings = array("meetings", meetings if meetings.size else np.empty((0, 2)), (-1, 2))
+    ax = canvas(ax, (7, 5))
     T = instance.horizon
     far = instance.max_speed * (T - time)
     ax.fill([place, place - far, place + far], [time, T, T], color="0.92", zorder=0, label="can be reached")
@@ -23,7 +31,7 @@ def reach_view(instance, place, time, meetings=(), ax=None):
         ax.annotate(str(target), path[-1, [0, 2]], xytext=(0, 8), textcoords="offset points", **LABEL)
         for w, window in enumerate(in_windows):
             ax.plot(*window[:, [0, 2]].T, **WINDOW, **once(target + w, "time window"))
-    ax.plot(*np.reshape(meetings, (-1, 2)).T, "o", color=COLOURS[0], zorder=4, label="earliest meeting")
+    ax.plot(*meetings.T, "o", color=COLOURS[0], zorder=4, label="earliest meeting")
     ax.plot(place, time, **DEPOT, label="agent")
     margin = 0.1 * instance.size
     xs = np.concatenate([instance.depot[:1], *(target.points[:, 0] for target in instance.targets)])
@@ -37,9 +45,12 @@ def graph_view(graph, route=(), ax=None):
     """Draw the graph of Section III, with a route's edges if there is one, and return the axes.
 
     s is at the left, s' at the right, a column between them holds the segments of one target, early ones below; edges
-    are thin and grey, those of `route` (nodes of V_seg in order) thick and blue.
+    are thin and grey, those of `route` (nodes of V_seg in order) thick and blue. InputError: not a Graph, a route of
+    something else than nodes, or no axes.
     """
-    ax = ax or plt.figure(figsize=(9, 4.5), layout="constrained").add_subplot()
+    of_type("graph", graph, Graph)
+    route = [whole("route", node, 0) for node in listed("route", route, object)]
+    ax = canvas(ax, (9, 4.5))
     places = _node_places(graph)
     flown = set(itertools.pairwise([graph.s, *route, graph.s_prime])) if route else set()
     for edge in map(tuple, graph.edges.tolist()):

@@ -1,8 +1,8 @@
 """The ideas behind the formulations: what fractions cost, perspectives, sizes, and where local methods stop."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 
+from .canvas import canvas
 from .style import method_style, route_name, shades
 
 
@@ -12,7 +12,7 @@ def charge_view(distance, size, ax=None):
     distance: of the edge's ends, in units; size: R, the big-M. The baseline's (8)-(10) ask for
     l >= distance - R (1 - y), the perspectives (25), (26), (28), (29) for l >= y distance, ends held where they are.
     """
-    ax = ax or plt.figure(figsize=(6, 4), layout="constrained").add_subplot()
+    ax = canvas(ax, (6, 4))
     free = max(0.0, 1.0 - distance / size)
     perspective, big_m = (method_style(method) | {"marker": ""} for method in ("micp", "baseline"))
     ax.plot([0.0, 1.0], [0.0, distance], **perspective, label="perspective: y d")
@@ -29,7 +29,7 @@ def perspective_view(graph, i, shares=(0.25, 0.5, 0.75, 1.0), ax=None):
     X_i is the segment that (x, t) can be on; y X_i is the same segment drawn y times as far from the origin, and all
     of them together fill a cone.
     """
-    ax = ax or plt.figure(figsize=(6, 5), layout="constrained").add_subplot()
+    ax = canvas(ax, (6, 5))
     ends = np.array([[graph.p_lo[i][0], graph.t_lo[i]], [graph.p_hi[i][0], graph.t_hi[i]]])
     ax.fill(*np.vstack([[0.0, 0.0], ends]).T, color="0.92", zorder=0, label="all shares from 0 to 1")
     for y, colour in zip(shares, shades("micp", len(shares))):
@@ -48,7 +48,7 @@ def sizes_view(sizes, ax=None):
 
     sizes: dict from a formulation, "micp", to its numbers of variables, for m = 1, 2, ...
     """
-    ax = ax or plt.figure(figsize=(6, 4), layout="constrained").add_subplot()
+    ax = canvas(ax, (6, 4))
     for method, numbers in sizes.items():
         agents = range(1, len(numbers) + 1)
         ax.plot(agents, numbers, **method_style(method), label=route_name(method))
@@ -64,7 +64,7 @@ def descent_view(runs, optimum, ax=None):
 
     runs: list of lists of lengths (units), from the first to the last; optimum: the proved optimum.
     """
-    ax = ax or plt.figure(figsize=(7, 4), layout="constrained").add_subplot()
+    ax = canvas(ax, (7, 4))
     runs = sorted(runs, key=lambda lengths: (round(lengths[-1], 6), lengths[0]))
     starts, ends = ([lengths[k] for lengths in runs] for k in (0, -1))
     number = range(1, len(runs) + 1)

@@ -2,26 +2,26 @@
 
 import itertools
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib import rcParams
 
 from ..instance import Instance
 from ..tours import agents_of, as_tours
 from ..validation import counted, of_type
+from .canvas import canvas
 from .depots import depots
 from .lettering import PATHS, READ, WINDOWS, write_beside
 from .style import COLOURS, LABEL, LINES, MARKERS, PATH, WINDOW, in_print, once
 
 
-def plan_view(instance, tours=(), ax=None):
+def plan_view(instance, tours=(), ax=None, unit="units"):
     """Draw an instance from above, with tours if there are any, and return the axes.
 
     tours: a Solution, or a sequence of Tour. Target paths are grey, from a dot at their start; the parts inside time
     windows are thick and yellow, with the target's number beside each. Each tour has a colour, line style and marker of
     its own, and an arrowhead on each leg; a visit has its target's number and its time beside it, the legend the time
     of the return. Targets and tours have the numbers of files and code, from 0. The legend counts idle agents.
-    InputError: not an Instance, or no tours.
+    unit: of lengths, as the axes name it, such as "km". InputError: not an Instance, no tours, or no axes.
 
     >>> from mamttsp import generate
     >>> from mamttsp.figures import plan_view
@@ -29,8 +29,9 @@ def plan_view(instance, tours=(), ax=None):
     >>> ax.get_xlabel()
     'x (units)'
     """
+    of_type("instance", instance, Instance)
     tours = as_tours(tours)
-    ax = ax or plt.figure(figsize=(8, 6), layout="constrained").add_subplot()
+    ax = canvas(ax, (8, 6))
     lines, flown = draw_targets(ax, instance), list(_flown(instance, tours))
     for stops, style, label in flown:
         ax.plot(*stops[:, :2].T, **style, label=label)
@@ -38,7 +39,7 @@ def plan_view(instance, tours=(), ax=None):
     for place, style, label in depots(instance):
         ax.plot(*place, **in_print(style), label=label)
     _count_idle(ax, instance, tours)
-    ax.set(xlabel="x (units)", ylabel="y (units)", aspect="equal")
+    ax.set(xlabel=f"x ({unit})", ylabel=f"y ({unit})", aspect="equal")
     ax.apply_aspect()  # now lengths on paper are known, but for the room that a legend takes
     for stops, style, _ in flown:
         point_the_way(ax, stops, style["color"])
@@ -47,15 +48,16 @@ def plan_view(instance, tours=(), ax=None):
     return ax
 
 
-def space_time_view(instance, tours=(), ax=None):
+def space_time_view(instance, tours=(), ax=None, unit="units"):
     """Draw an instance in space and time, time upwards, with tours if there are any, and return the (3D) axes.
 
     A target's path is a line that rises as time goes on; a visit is where an agent's line touches it, inside a window.
     tours: a Solution, or a sequence of Tour. Each is drawn at constant speed on each leg; dotted upright lines are
-    depots and ends. Colours and numbers as in plan_view. InputError: not an Instance, or no tours.
+    depots and ends. Colours, numbers and unit as in plan_view. InputError: not an Instance, no tours, or no such axes.
     """
+    of_type("instance", instance, Instance)
     tours = as_tours(tours)
-    ax = ax or plt.figure(figsize=(8, 7), layout="constrained").add_subplot(projection="3d", computed_zorder=False)
+    ax = canvas(ax, (8, 7), projection="3d", computed_zorder=False)
     for target, path, in_windows in target_parts(instance):
         ax.plot(*path.T, **PATH, **once(target, "target's path"))
         for w, window in enumerate(in_windows):
@@ -70,7 +72,7 @@ def space_time_view(instance, tours=(), ax=None):
         ax.plot(*np.tile(place, (2, 1)).T, [0, instance.horizon], color="black", linestyle=":", linewidth=1.0)
         ax.plot(*place, 0.0, **style, label=label)
     _count_idle(ax, instance, tours)
-    ax.set(xlabel="x (units)", ylabel="y (units)", zlabel="time (s)", zlim=(0, instance.horizon))
+    ax.set(xlabel=f"x ({unit})", ylabel=f"y ({unit})", zlabel="time (s)", zlim=(0, instance.horizon))
     ax.legend(loc="upper left", bbox_to_anchor=(-0.08, 1.02), frameon=False)
     return ax
 

@@ -1,9 +1,9 @@
 """What time prices do: relaxed times, the tilt of two costs, and tangents of a distance."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 from ..tours import Visit
+from .canvas import canvas
 from .lettering import READ, write_beside
 from .plan import draw_targets, window_numbers
 from .style import COLOURS, DEPOT, LINES, MARKERS, once
@@ -16,7 +16,7 @@ def relaxed_view(instance, graph, route, arrive, leave, ax=None):
     left to where the next one is made; a bar along the segment joins the two places of one visit. Beside each visit are
     its target's number and both times, arrival → departure.
     """
-    ax = ax or plt.figure(figsize=(8, 6), layout="constrained").add_subplot()
+    ax = canvas(ax, (8, 6))
     lines = draw_targets(ax, instance)
     made, left = (np.array([graph.position(i, t) for i, t in zip(route, times)]) for times in (arrive, leave))
     legs = list(zip(np.vstack([instance.depot, left]), np.vstack([made, instance.depot])))
@@ -45,7 +45,7 @@ def tilt_view(times, so_far, to_go, best, price=0.0, ax=None):
     time; price: mu in units/s. All curves are shown relative to their values there; marks are their lowest points. Each
     curve is thinner than the one below it, so that none is hidden where they coincide.
     """
-    ax = ax or plt.figure(figsize=(5, 4), layout="constrained").add_subplot()
+    ax = canvas(ax, (5, 4))
     tilt = price * (times - times[best])
     curves = {"so far": so_far - so_far[best] + tilt, "to go": to_go - to_go[best] - tilt}
     curves["sum"] = curves["so far"] + curves["to go"]
@@ -64,7 +64,7 @@ def tilt_view(times, so_far, to_go, best, price=0.0, ax=None):
 def tangents_view(pieces, arcs, graph, q, i, ax=None):
     """Draw the distance from the middle of piece q to segment i against the time on it, with the minorants of the arcs
     from q to its pieces, and return the axes."""
-    ax = ax or plt.figure(figsize=(5, 4), layout="constrained").add_subplot()
+    ax = canvas(ax, (5, 4))
     half = (pieces.b[q] - pieces.a[q]) / 2
     times = np.linspace(graph.t_lo[i], graph.t_hi[i], 200)
     places = graph.p_lo[i] + (times - graph.t_lo[i])[:, None] * graph.v[i]

@@ -5,7 +5,8 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator, PercentFormatter
 from scipy.stats import CensoredData, ecdf
 
-from .column import COLUMN, column_axes, legend_above
+from .canvas import canvas
+from .column import COLUMN, WIDTH, legend_above
 from .style import in_order, method_style, route_name
 
 
@@ -15,7 +16,7 @@ def cactus_view(times, limit, ax=None):
 
     times: a DataFrame, an instance a line and a route a column, in s; inf where it was not solved within `limit` s.
     """
-    ax = ax or column_axes(2.8)
+    ax = canvas(ax, (WIDTH, 2.8))
     _steps(ax, times, len(times), start=times.to_numpy().min(initial=limit) / 2, end=limit)
     ax.set(xscale="log", xlabel="wall time of the whole solve (s)", ylabel=f"instances solved (of {len(times)})")
     ax.set_ylim(0, max(1.0, 1.03 * len(times)))
@@ -30,7 +31,7 @@ def profile_view(times, ax=None):
     It shows for which share of the instances a route's time is at most a multiple (logarithmic) of the time of the
     instance's quickest route. times: as for cactus_view; an instance that no route solved lowers every curve.
     """
-    ax = ax or column_axes(2.8)
+    ax = canvas(ax, (WIDTH, 2.8))
     ratios = times.div(times.min(axis=1), axis=0).fillna(np.inf)  # inf / inf: nobody solved it
     worst = ratios.replace(np.inf, 1.0).to_numpy().max(initial=1.0)
     _steps(ax, ratios, 1.0, start=1.0, end=max(2.0, 2 * worst))

@@ -2,15 +2,13 @@
 
 import dataclasses
 import io
-import os
 import shutil
 import subprocess
-from pathlib import Path
 from typing import ClassVar
 
 from PIL import Image
 
-from ..validation import InputError, of_type
+from ..validation import InputError, file_path
 
 #: pictures a second
 PER_SECOND = 8
@@ -43,7 +41,7 @@ class Film:
             ...
         mamttsp.validation.InputError: tours.avi: a film is saved as .gif, .mp4 or .html
         """
-        path = Path(of_type("path", path, (str, os.PathLike)))
+        path = file_path("path", path)
         writers = dict(zip(self.SUFFIXES, (self._write_gif, self._write_mp4, self._write_html)))
         if path.suffix.lower() not in writers:
             raise InputError(f"{path}: a film is saved as .gif, .mp4 or .html")

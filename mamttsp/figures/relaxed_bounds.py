@@ -1,8 +1,8 @@
 """Relaxed bounds: how much of the optimum they reach, how they fall, and the flow that attains one."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 
+from .canvas import canvas
 from .lettering import READ, write_beside
 from .plan import draw_targets, window_numbers
 from .style import DEPOT, LINES, method_style, route_name, shades
@@ -19,7 +19,7 @@ def relaxation_view(rows, by="total_window", ax=None):
     joins the MICP's means, in shades of its colour; a bar on each reaches from the least to the largest. All baselines
     are one line.
     """
-    ax = ax or plt.figure(figsize=(6, 4), layout="constrained").add_subplot()
+    ax = canvas(ax, (6, 4))
     new, old = (rows[rows["method"] == method] for method in ("micp", "baseline"))
     colours = shades("micp", new[by].nunique())
     for k, (value, group) in enumerate(new.groupby(by)):
@@ -41,7 +41,7 @@ def growth_view(windows, optima, bounds, ax=None):
     windows: (K,) total length in s; optima: (K,) units; bounds: dict from a formulation, or a variant such as
     "micp without (22)", to (K,) units.
     """
-    ax = ax or plt.figure(figsize=(6, 4), layout="constrained").add_subplot()
+    ax = canvas(ax, (6, 4))
     ax.plot(windows, optima, color="black", label="optimum")
     for name, lengths in bounds.items():
         ax.plot(windows, lengths, **method_style(name), label=route_name(name))
@@ -58,7 +58,7 @@ def flow_view(instance, y, tails, heads, ax=None):
     flows, dashed for fractions, with its flow beside it from 0.1 on. The parts of the targets' paths in windows are
     thick and yellow, each with its target's number.
     """
-    ax = ax or plt.figure(figsize=(8, 7), layout="constrained").add_subplot()
+    ax = canvas(ax, (8, 7))
     lines, shares = draw_targets(ax, instance), []
     ax.plot(*instance.depot, **DEPOT, label="depot")
     colour = method_style("micp")["color"]

@@ -1,8 +1,8 @@
 """The road of a certificate: a bound that rises step by step, tours that get shorter, and the optimum between them."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 
+from .canvas import canvas
 from .style import COLOURS, LABEL
 
 _STEPS = (
@@ -22,7 +22,7 @@ def road_view(sections=(), ax=None):
 
     sections: names of where each of the five steps is told, written below them.
     """
-    ax = ax or plt.figure(figsize=(9, 4.6), layout="constrained").add_subplot()
+    ax = canvas(ax, (9, 4.6))
     x, optimum = np.arange(len(_STEPS)), 3.4
     bound = np.array([1.4, 2.4, 2.4, 3.0, optimum])
     length = np.array([4.4, 3.9, 3.9, 3.6, optimum])

@@ -4,7 +4,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.legend_handler import HandlerTuple
 
-from .column import COLUMN, WIDTH, caption_below, column_axes
+from .canvas import canvas
+from .column import COLUMN, WIDTH, caption_below
 from .style import bar_style, in_order, method_style, route_name
 
 #: where a value is missing, where it is only a bound ("<10"), and where it is read with doubt ("~0.5")
@@ -23,7 +24,7 @@ def runtime_gap_view(rows, scale=None, ax=None):
     that is missing is written as missing in the place of its bar. formulation: a method or a route, "micp/scip".
     scale: the lowest and the highest run time of the axis in s, as time_scale returns them.
     """
-    ax = ax or column_axes(2.6)
+    ax = canvas(ax, (WIDTH, 2.6))
     gaps, sizes = ax.twinx(), list(dict.fromkeys(rows.targets))
     names = in_order(rows.formulation)
     ax.set_yscale("log")

@@ -1,13 +1,19 @@
 """Sliders for a drawing where somebody runs the notebook, and the drawing itself where nobody does."""
 
+from ..validation import InputError, array, brief
+
 
 def explore(draw, **sliders):
     """Call `draw` with the values of sliders, again whenever one is moved.
 
     sliders: name=(lowest, highest, step, start). Where no person is at the kernel, as in a batch run, it is called once
     with the start values: a saved notebook holds that picture, and no widget that would need a kernel. Needs ipywidgets
-    only where somebody is there.
+    only where somebody is there. InputError: `draw` cannot be called, or a slider is not of four numbers.
     """
+    if not callable(draw):
+        raise InputError(f"draw: expected a function of the sliders' values, found {brief(draw)}")
+    for name, values in sliders.items():
+        array(name, values, (4,))
     if not _somebody_is_there():
         draw(**{name: start for name, (_, _, _, start) in sliders.items()})
         return

@@ -1,6 +1,5 @@
 """What all drawings share: the methods' palette, colours, line styles and markers, and how a drawing is saved."""
 
-import os
 from pathlib import Path
 
 from matplotlib import rc_context, rcParams, rcParamsDefault
@@ -8,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_rgb, to_rgba
 from matplotlib.patheffects import withStroke
 
-from ..validation import InputError, of_type
+from ..validation import InputError, file_path, of_type, positive
 
 #: agents in turn: colours that the colour-blind can tell apart (Okabe and Ito), line styles and markers that need none
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#56B4E9")
@@ -95,7 +94,7 @@ def save(ax, path, dpi=150):
     mamttsp.validation.InputError: plan.doc: expected one of .pdf, .png, .svg or another suffix that matplotlib knows
     """
     of_type("ax", ax, Axes)
-    path = Path(of_type("path", path, (str, os.PathLike)))
+    path, dpi = file_path("path", path), positive("dpi", dpi)
     known = ax.figure.canvas.get_supported_filetypes()
     if path.suffix and path.suffix[1:].lower() not in known:
         raise InputError(f"{path}: expected one of .pdf, .png, .svg or another suffix that matplotlib knows")

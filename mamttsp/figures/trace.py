@@ -1,8 +1,10 @@
 """The trace of a solve: incumbent and bound on their way to each other."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 
+from ..options import Progress
+from ..validation import InputError, brief, listed
+from .canvas import canvas
 from .style import COLOURS
 
 _AXES = {"time": "time (s)", "report": "report, and the phase that begins there"}
@@ -12,10 +14,13 @@ def trace_view(steps, against="time", ax=None):
     """Draw incumbent and bound of a solve, the gap between them grey, and return the axes.
 
     steps: the Progress reports in order, e.g. a `display.Trace`; against: "time", s, or "report", their number, which
-    is the same on every machine; below it is the phase, where one begins.
+    is the same on every machine; below it is the phase, where one begins. InputError: no such reports, another
+    `against`, or no axes.
     """
-    ax = ax or plt.figure(figsize=(7, 4.5), layout="constrained").add_subplot()
-    steps = list(steps)
+    steps = listed("steps", steps, Progress)
+    if against not in _AXES:
+        raise InputError(f"against: expected one of {', '.join(_AXES)}, found {brief(against)}")
+    ax = canvas(ax, (7, 4.5))
     x = [step.time for step in steps] if against == "time" else np.arange(1, len(steps) + 1)
     bound, best = (_lengths(getattr(step, name) for step in steps) for name in ("bound", "objective"))
     ax.fill_between(x, bound, best, step="post", color="0.9", zorder=0, label="gap")

@@ -1,10 +1,10 @@
 """The hole in the proof of validity: a cycle of no length and no duration, and how near targets must pass for it."""
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.text import OffsetFrom
 
 from ..tours import as_tours
+from .canvas import canvas
 from .plan import target_parts
 from .style import COLOURS, DEPOT, LINES, MARKERS, PATH, WINDOW, method_style, once, route_name
 
@@ -15,7 +15,7 @@ def cycle_view(instance, tours=(), cycles=(), ax=None):
     tours: a Solution, or a sequence of Tour; cycles: sequences of Visit, each drawn as a loop around the
     place and time of its first visit.
     """
-    ax = ax or plt.figure(figsize=(8, 5), layout="constrained").add_subplot()
+    ax = canvas(ax, (8, 5))
     for target, path, in_windows in target_parts(instance):
         ax.plot(*path[:, [0, 2]].T, **PATH, **once(target, "target's path"))
         ax.annotate(str(target), path[0, [0, 2]], xytext=(0, -9), textcoords="offset points", ha="center", va="top")
@@ -49,7 +49,7 @@ def leak_view(misses, claims, truth, limit, ax=None):
     misses: units, none of them 0; claims: {formulation: lengths}; truth: the true optima; limit: the miss, in units,
     below which the baseline is expected to be wrong, drawn as an upright line.
     """
-    ax = ax or plt.figure(figsize=(7, 4), layout="constrained").add_subplot()
+    ax = canvas(ax, (7, 4))
     ax.plot(misses, truth, color="0.75", linewidth=6.0, label="true optimum")
     for method, lengths in claims.items():
         ax.plot(misses, lengths, **method_style(method), label=f"claimed by {route_name(method)}")

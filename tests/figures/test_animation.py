@@ -11,6 +11,7 @@ from PIL import Image
 
 from mamttsp import InputError, Solution, Tour, Visit
 from mamttsp.figures import COLOURS, film, moment_view
+from mamttsp.figures.recording import few_colours
 from tests.examples import instance, moving, still
 
 INSTANCE = instance(moving((10, 0), (0, 0.2), [(5, 15), (30, 50)]), still(0, 20, [(0, 60)]), n_agents=2)
@@ -176,3 +177,17 @@ def test_ffmpeg_makes_a_film_that_it_can_read(short_film, tmp_path):
 def test_a_film_that_cannot_be_saved_is_refused_in_one_line(name, message, short_film, tmp_path):
     with pytest.raises(InputError, match=f"{name}: {message}"):
         short_film.save(tmp_path / name)
+
+
+def test_a_film_names_the_unit_of_lengths():
+    in_km, in_units = (film(INSTANCE, TOURS, step=40.0, **unit).frames[-1] for unit in ({"unit": "km"}, {}))
+    for frame, unit in ((in_km, {"unit": "km"}), (in_units, {})):
+        ax = plt.figure(figsize=(6, 5.4), dpi=72).add_subplot()
+        drawn = io.BytesIO()
+        moment_view(INSTANCE, TOURS, 40.0, ax, **unit).figure.savefig(drawn, dpi=72)
+        assert _pixels(drawn.getvalue()) == _pixels(frame)
+    assert _pixels(in_km) != _pixels(in_units)
+
+
+def _pixels(picture):
+    return few_colours(Image.open(io.BytesIO(picture))).convert("RGB").tobytes()

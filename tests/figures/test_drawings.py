@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from matplotlib.colors import to_hex
 
-from mamttsp import InputError, Solution, Tour, Visit, build_graph
+from mamttsp import InputError, Solution, Tour, Visit, build_graph, plot
 from mamttsp.figures import (
     COLOURS,
     LINES,
@@ -13,6 +13,7 @@ from mamttsp.figures import (
     charge_view,
     descent_view,
     graph_view,
+    moment_view,
     perspective_view,
     plan_view,
     reach_view,
@@ -238,3 +239,9 @@ def test_a_descent_joins_its_start_and_its_stop():
     start, stop, optimum = ax.lines
     assert list(start.get_ydata()) == [40, 15, 30] and list(stop.get_ydata()) == [12, 15, 20]
     assert set(optimum.get_ydata()) == {11.0}
+
+
+@pytest.mark.parametrize("view", [*VIEWS, plot, lambda *given, unit: moment_view(*given, 15.0, unit=unit)])
+def test_axes_name_the_unit_of_lengths(view):
+    ax = view(INSTANCE, TOURS, unit="km")
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("x (km)", "y (km)")

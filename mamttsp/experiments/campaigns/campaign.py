@@ -9,12 +9,13 @@ from functools import partial
 from joblib import Parallel, delayed
 
 from ...backends import backend
-from ...validation import InputError, positive, whole
+from ...validation import InputError, file_path, listed, of_type, positive, whole
 from .bar import campaign_bar
 from .process import run_apart
 from .provenance import now, provenance
 from .results import Results
 from .rows import key_of
+from .runs import Run
 
 #: MB of resident memory for each run
 MEMORY_LIMIT = 4000
@@ -32,6 +33,7 @@ def campaign(runs, path, jobs=None, memory_limit=MEMORY_LIMIT, quiet=False, comm
     InputError: a bad argument, a solver that is not installed, a file that is not ours or cannot be written, or a
     cluster that is not there.
     """
+    runs, path = listed("runs", runs, Run), file_path("path", path)
     rows_of = _in_processes(jobs) if scheduler is None else _on_cluster(scheduler, jobs)
     positive("memory_limit", memory_limit)
     for solver in {run.solver for run in runs} - {None}:
@@ -53,6 +55,7 @@ def _in_processes(jobs):
 
 
 def _on_cluster(scheduler, jobs):
+    of_type("scheduler", scheduler, str)
     if jobs is not None:
         raise InputError(f"jobs: a cluster does as many runs at a time as its workers have threads, found {jobs}")
     try:

@@ -7,7 +7,7 @@ import json
 from collections import Counter
 
 from ...tours import Tour
-from ...validation import InputError
+from ...validation import InputError, brief, file_path, listed
 from .runs import Run
 
 KEY = tuple(field.name for field in dataclasses.fields(Run))
@@ -31,6 +31,7 @@ def read_rows(path):
 
     InputError: no such file, or not the columns of this version.
     """
+    file_path("path", path)
     try:
         with open(path, "rb") as file:
             return parse(file.read(), path)
@@ -41,16 +42,28 @@ def read_rows(path):
 def tours_of(row):
     """Return the Tours of a row, to be checked against its instance; none if the run found none.
 
+    InputError: not a row, or tours in it that are none.
+
     >>> from mamttsp.experiments import tours_of
     >>> (tour,) = tours_of({"tours": '[{"visits": [], "return_time": 0.0}]'})
     >>> tour.return_time
     0.0
     """
-    return tuple(Tour.from_dict(tour) for tour in json.loads(row["tours"] or "[]"))
+    try:
+        tours = json.loads(row["tours"] or "[]")
+    except (IndexError, KeyError, TypeError, ValueError):
+        raise InputError(f"row: expected a row of a results file, with tours in JSON, found {brief(row)}") from None
+    if not isinstance(tours, list):
+        raise InputError(f"row.tours: expected a list of tours, found {brief(tours)}")
+    return tuple(Tour.from_dict(tour, f"row.tours[{k}]") for k, tour in enumerate(tours))
 
 
 def summary(runs, path):
-    """Return how many of the runs have a row, and how many of those end in each status, as one line."""
+    """Return how many of the runs have a row, and how many of those end in each status, as one line.
+
+    runs: a list of Run; path: of the results file. InputError: no such runs, no such file.
+    """
+    runs = listed("runs", runs, Run)
     wanted = {key_of(dataclasses.asdict(run)) for run in runs}
     statuses = Counter(row["status"] for row in read_rows(path) if key_of(row) in wanted)
     parts = [f"{count} {status}" for status, count in statuses.most_common()]
