@@ -21,5 +21,5 @@ def caption_below(figure, text):
     lines, inch = textwrap.wrap(text, 70), 1.0 / figure.get_figheight()
     size = COLUMN["legend.fontsize"]
     bottom = (1.3 * size * len(lines) + 4.0) / 72.0 * inch
-    figure.text(0.02, 0.03 * inch, "\n".join(lines), fontsize=size, va="bottom").set_in_layout(False)
+    figure.text(0.02, 0.03 * inch, "\n".join(lines), fontsize=size, va="bottom")
     figure.get_layout_engine().set(rect=(0.0, bottom, 1.0, 1.0 - bottom))

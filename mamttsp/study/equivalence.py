@@ -28,17 +28,3 @@ def carry(graph, n_agents, tours, cycles=()):
         assign(formulation, tours, cycles)
         found[method] = Carried(objective(formulation.model), residuals(formulation.model))
     return found
-
-
-def residual_table(points):
-    """Return lines of text: a row for each family of each formulation, a column for each of `points`.
-
-    points: {name of a column: {method: Carried}}. Residuals have six decimals; equations have the paper's numbers.
-    """
-    lines = [f"{'':42}" + "".join(f"{name:>12}" for name in points)]
-    for method, equations in EQUATIONS.items():
-        for family in [*equations, "bounds", "integrality"]:
-            number = f"({equations[family]})" if family in equations else ""
-            cells = (f"{point[method].residuals[family]:12.6f}" for point in points.values())
-            lines.append(f"{method:11}{number:>5} {family:25}" + "".join(cells))
-    return "\n".join(lines)

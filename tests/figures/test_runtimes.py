@@ -114,6 +114,9 @@ def test_there_is_a_panel_for_each_value(by, values, names):
     (caption,), boxes = figure.texts, [ax.get_tightbbox() for ax in axes]
     assert caption.get_window_extent().y1 < min(box.y0 for box in boxes)
     assert legend.get_window_extent().y0 > max(box.y1 for box in boxes)
+    assert (
+        figure.get_tightbbox().y0 * figure.dpi <= caption.get_window_extent().y0
+    )  # a notebook shows no more than that
 
 
 def test_panels_have_the_scale_that_they_are_given():

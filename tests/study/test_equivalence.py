@@ -1,4 +1,4 @@
-"""Tours and cycles in all three formulations at once, and the table of their residuals."""
+"""Tours and cycles in all three formulations at once."""
 
 import dataclasses
 
@@ -6,7 +6,7 @@ import pytest
 
 from mamttsp import Tour, Visit, build_graph
 from mamttsp.formulations.equations import EQUATIONS
-from mamttsp.study.equivalence import carry, residual_table
+from mamttsp.study.equivalence import carry
 from mamttsp.study.meetings import passing
 
 HOME = Tour((Visit(0, 2.5, (10.0, 0.0)),), 5.0)
@@ -39,13 +39,3 @@ def test_without_tours_only_the_micp_complains():
     points = carry(build_graph(pair), 1, [], [cycle])
     assert points["baseline"].worst < 1e-9 and points["nonconvex"].worst < 1e-9
     assert {family for family, r in points["micp"].residuals.items() if r > 1e-9} == {"number_of_agents"}
-
-
-def test_the_table_has_a_row_for_each_family_and_a_column_for_each_point():
-    near = passing(0.5)
-    points = carry(build_graph(near), 1, [HOME], [cycle_at(near, 50.0)])
-    lines = residual_table({"first": points, "second": points}).splitlines()
-    assert lines[0].split() == ["first", "second"]
-    assert len(lines) == 1 + sum(len(families) + 2 for families in EQUATIONS.values())
-    assert ["micp", "(27)", "speed", "0.500000", "0.500000"] in [line.split() for line in lines]
-    assert ["micp", "(29)", "norm", "0.000000", "0.000000"] in [line.split() for line in lines]

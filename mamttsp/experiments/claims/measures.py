@@ -10,6 +10,7 @@ from .verdicts import Part
 
 _UNITS = {"runtime": "s", "gap": "points"}
 _NO_ROWS = "no rows"
+_LEAST_RISE = 0.01  # s
 
 
 def speed_up(bars, settings):
@@ -69,13 +70,18 @@ def rises(bars, steps, methods=("micp", "baseline"), quantities=("runtime", "gap
 
 
 def later_rise(bars, settings, method="micp"):
-    """Of three settings: how much more the run time (s) rises from the second on than it did before."""
+    """Of three settings: the rise of the run time from the second to the third over that from the first to the second.
+
+    A first rise of less than 0.01 s, or a fall, counts as 0.01 s.
+    """
     found = [bars.get((*setting, method)) for setting in settings]
     label = f"{_name(settings[0])} to {_name(settings[2])}"
     if None in found:
         return [Part(label, None, _NO_ROWS)]
-    a, b, c = (bar.runtime for bar in found)
-    return [Part(label, (c[0] - 2 * b[1] + a[0], c[1] - 2 * b[0] + a[1]), ", ".join(bar.runtime_read for bar in found))]
+    first, second, third = (bar.runtime for bar in found)
+    before = tuple(max(end, _LEAST_RISE) for end in _difference(second, first))
+    times = _ratio(_difference(third, second), before)
+    return [Part(label, times, f"{_text(times)} times ({', '.join(bar.runtime_read for bar in found)})")]
 
 
 def _pair(bars, setting, quantity, combine, unit=None):

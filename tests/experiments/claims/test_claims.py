@@ -7,10 +7,10 @@ import pytest
 
 from mamttsp.experiments.campaigns.runs import SETTINGS
 from mamttsp.experiments.claims import quotations as said
-from mamttsp.experiments.claims.bars import LIMIT, our_bars, published_bars
+from mamttsp.experiments.claims.bars import LIMIT, Bar, our_bars, published_bars
 from mamttsp.experiments.claims.certified import ON_ROWS
 from mamttsp.experiments.claims.claim_table import COLUMNS, claim_table
-from mamttsp.experiments.claims.measures import no_gap, speed_up
+from mamttsp.experiments.claims.measures import later_rise, no_gap, speed_up
 from mamttsp.experiments.claims.open_routes import BEST_OPEN, open_route_bars, pairs_of
 from mamttsp.experiments.claims.paper_claims import CLAIMS
 from mamttsp.experiments.claims.verdicts import DIFFERS, DIRECTION, HOLDS, OPEN, Part, judge, judge_best
@@ -73,6 +73,35 @@ def test_published_numbers_are_known_to_a_pixel_or_as_below():
     assert below.number == (180, float("inf")) and below.words.startswith("at least 180 ")
     (hidden,) = no_gap(bars, [(40, 2, 20)])
     assert hidden.number[1] < -0.2  # "~0.5" is not 0
+
+
+@pytest.mark.parametrize(
+    "runtimes, times",
+    [
+        (((11, 11), (90, 90), (834, 834)), (744 / 79, 744 / 79)),
+        (((5, 5), (20, 20), (60, 1800)), (40 / 15, 1780 / 15)),
+        (((10, 12), (20, 24), (60, 60)), (36 / 14, 40 / 8)),
+        (((20, 20), (5, 5), (8, 8)), (300, 300)),  # a fall counts as a rise of 0.01 s
+        (((5, 5), (20, 20), (10, 10)), (-10 / 15, -10 / 15)),
+    ],
+)
+def test_a_later_rise_is_held_against_the_first_one(runtimes, times):
+    settings = [(window, 1, 15) for window in (20, 40, 60)]
+    bars = {(*key, "micp"): Bar(each, (0, 0), "", "", LIMIT, 1, 1) for key, each in zip(settings, runtimes)}
+    (found,) = later_rise(bars, settings)
+    assert found.number == pytest.approx(times)
+
+
+def test_what_rises_noticeably_only_at_the_end(tmp_path):
+    (claim,) = (claim for claim in CLAIMS if "noticeably only" in claim.text)
+    plot = claim.test.find(published_bars(_PUBLISHED))
+    assert plot.verdict == HOLDS and "(11.2 s, 90 s, 834 s)" in plot.numbers
+    stopped = {"status": "feasible", "objective": 100.0, "bound": 90.0, "gap_percent": 10.0, "runtime_s": 60.0}
+    answers = {20: {"runtime_s": 5.0}, 40: {"runtime_s": 20.0}, 60: stopped}
+    runs = [(route(15, 0, w, 1, method, BEST_OPEN[method]), answers[w]) for w in answers for method in _METHODS]
+    rows, none = table(tmp_path / "rows.csv", *runs), _empty(tmp_path / "none.csv")
+    found = claim.test.find(our_bars(pairs_of(rows, none), none))
+    assert found.verdict == DIRECTION and found.numbers.endswith("2.67 to 119 times (5 s, 20 s, 60 s (1 of 1 stopped))")
 
 
 def _empty(path):
