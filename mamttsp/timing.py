@@ -159,7 +159,7 @@ def _program(graph, route):
     values = np.concatenate([by_speed, ones, -ones, by_v])[order]
     A = sparse.csc_matrix((values, row, column_ends), shape=(6 * K + 4, 2 * K + 1))
     b = np.r_[-opens, closes, none[1:], speed, np.c_[none, offset].ravel()]  # t_0 = 0, the last arrival up to T
-    bounds = np.r_[opens, none], np.r_[closes, speed * ones]
+    bounds = np.r_[opens, none], np.r_[closes, min(speed, 1.0) * ones]  # no leg is longer than R
     return np.r_[none[1:], ones], A, b, (0, 3 * K + 1), bounds
 
 
