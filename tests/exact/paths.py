@@ -1,0 +1,35 @@
+"""The paths of the search, each forced by constants."""
+
+#: {name: fields of `Parameters` that differ from the defaults}
+FORCED = {
+    "no enumeration fits at first": {"enumeration": 0.01, "piece": 9.0, "pieces_each": 4},
+    "nothing but shorter pieces": {"enumeration": 0.01, "worthwhile": 2.0, "piece": 9.0, "pieces_each": 2},
+    "ng-sets grow from nothing": {"ng_size": 0},
+    "ng-sets grow by the shortest cycles": {
+        "ng_size": 0,
+        "longest_cycle": 2,
+        "enumeration": 0.01,
+        "piece": 9.0,
+        "pieces_each": 4,
+    },
+    "two pieces for each target": {"piece": 9.0, "pieces_each": 2},
+    "no set is settled": {"few_sets": 0},
+    "no sequence is timed": {"few_sequences": 0},
+    "prices move with all entries": {"few_entries": ()},
+    "prices move with one entry of a piece": {"few_entries": (1,), "piece": 9.0, "pieces_each": 4},
+    "arcs are dropped whenever they can be": {"dropped": 1.0, "enumeration": 0.01},
+    "every gap is small": {"near": 1.0},
+    "no gap is small": {"near": 0.0},
+    "one piece for each segment": {"first_pieces": 1},
+    "one column an evaluation": {"columns": 1, "columns_each": 1},
+    "two steps of column generation": {"most_steps": 2},
+    "columns are forgotten": {"most_columns": 10},
+    "a tiny box": {"box": 1e-4},
+    "no annealing worth the name": {"annealing": 0.0, "annealing_step": 1, "timed": 0},
+    "any cut that is violated": {"violation": 1e-6, "cuts": 2, "enumeration": 0.01, "piece": 9.0, "pieces_each": 4},
+    "pieces get much shorter": {"finer": 8.0, "finer_after_routes": 8.0, "piece": 9.0, "pieces_each": 2},
+    "few pieces fit": {"most_pieces": 60, "piece": 9.0, "pieces_each": 3, "enumeration": 0.01},
+}
+#: paths on which nothing is timed to its end: where targets meet, there is a kink, and the gap closes to first order
+#: only, if at all
+UNSETTLED = ("no set is settled", "no sequence is timed")

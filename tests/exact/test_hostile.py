@@ -1,0 +1,60 @@
+"""Hostile instances of at most five targets: on every path of the search what enumeration finds is found and proved."""
+
+import math
+
+import pytest
+
+from mamttsp.exact import Parameters, solve_exact
+from mamttsp.options import Options
+from mamttsp.warm_up import ensure_compiled
+from tests.exact.certificates import assert_brackets, assert_certificate
+from tests.exact.hostile import KINDS, hostile
+from tests.exact.paths import FORCED, UNSETTLED
+from tests.oracle import optimum
+
+PATHS = {"as it is": {}} | FORCED
+#: instances of each kind: 210 in all, and 2025
+FEW, MANY = range(14), range(1000, 1135)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def compiled():
+    """Compiling is no part of a time limit."""
+    ensure_compiled()
+
+
+def _assert_found(problem, expected, path, limit=60.0):
+    """Solve on a path; the optimum is proved, or that there is none. What ends unsettled may leave a gap, if its bound
+    and its tours hold."""
+    unsettled = path in UNSETTLED
+    options = Options(time_limit=min(limit, 1.0) if unsettled else limit)
+    solution = solve_exact(problem, options, Parameters(**PATHS[path]))
+    if unsettled and solution.status in ("feasible", "unknown"):
+        assert math.isfinite(expected) or not solution.tours
+        assert_brackets(problem, solution, expected)
+    else:
+        assert_certificate(problem, solution, expected)
+
+
+def _paths(kind, seed, count):
+    """Return `count` paths, others for each kind and seed, so that all paths meet all kinds."""
+    names, first = list(PATHS), list(KINDS).index(kind) + count * seed
+    return [names[(first + k) % len(names)] for k in range(count)]
+
+
+@pytest.mark.parametrize("seed", FEW)
+@pytest.mark.parametrize("kind", KINDS)
+def test_one_path_leads_to_what_enumeration_finds(kind, seed):
+    problem = hostile(kind, seed, most=4)
+    (path,) = _paths(kind, seed, 1)
+    _assert_found(problem, optimum(problem), path)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", MANY)
+@pytest.mark.parametrize("kind", KINDS)
+def test_many_paths_lead_to_what_enumeration_finds(kind, seed):
+    problem = hostile(kind, seed)
+    expected = optimum(problem)
+    for path in {"as it is": None} | dict.fromkeys(_paths(kind, seed, 3)):
+        _assert_found(problem, expected, path)
