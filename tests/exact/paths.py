@@ -33,3 +33,5 @@ FORCED = {
 #: paths on which nothing is timed to its end: where targets meet, there is a kink, and the gap closes to first order
 #: only, if at all
 UNSETTLED = ("no set is settled", "no sequence is timed")
+#: paths on which labels are not enumerated, or late: the linear relaxation and shorter pieces close no other gap
+UNENUMERATED = tuple(name for name, changed in FORCED.items() if changed.get("enumeration", 1.0) < 1.0)
