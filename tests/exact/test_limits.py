@@ -1,13 +1,19 @@
-"""Stopped by a time limit or Ctrl-C, the exact solver returns checked tours and a bound that holds."""
+"""Stopped by a time limit or Ctrl-C, the exact solver returns in time checked tours and a bound that holds."""
+
+import itertools
+import sys
 
 import pytest
 
 from mamttsp import generate, paper_instance, solve
 from tests.exact.certificates import assert_brackets, assert_sound
 from tests.exact.enumeration import optimum
+from tests.exact.processes import solving
 
 LIMITS = (0.1, 0.5, 2.0)
 SPREAD = [(10, 60, 3), (15, 40, 2), (15, 60, 1), (20, 20, 5), (20, 40, 1), (20, 60, 2)]
+#: elsewhere a process cannot be sent Ctrl-C alone
+needs_signals = pytest.mark.skipif(sys.platform == "win32", reason="Ctrl-C goes to all processes of a console")
 SETTINGS = [(n, w, m, index) for n in (10, 15, 20) for w in (20, 40, 60) for m in (1, 2, 3, 5) for index in (1, 2)]
 
 
@@ -86,3 +92,74 @@ def test_no_bound_rests_on_times_that_were_not_optimised(monkeypatch):
     expected = optimum(problem)
     monkeypatch.setattr("mamttsp.timing._solve_times", lambda graph, route: (None, 0.0))
     assert_brackets(problem, solve(problem, time_limit=1.0), expected)
+
+
+# --- How soon a run ends ---------------------------------------------------------------------------------------------
+
+
+def sized(n, m):
+    """Return an instance of n targets with 10 s for each, 150 s at least."""
+    return generate(n, 40, m, seed=1, horizon=max(150, 10 * n), n_pieces=max(4, n // 4))
+
+
+def _assert_kept(process, problem, limit):
+    """Return the Solution of a run that ends within half a second and a twentieth of its limit."""
+    solution, late = process.run(limit)
+    assert late <= 0.05 * limit + 0.5
+    assert_sound(problem, solution)
+    return solution
+
+
+def _assert_interrupted(process, problem, seconds):
+    """Press Ctrl-C after so many s; the answer comes within a second and holds."""
+    solution, late = process.run(600.0, interrupted=seconds)
+    assert late <= 1.0 and solution.status in ("feasible", "unknown")
+    assert_sound(problem, solution)
+
+
+def _moments(problem, limit):
+    """Watch a run; return {phase: the middle, in s, of where it took longest}."""
+    steps, found = [], {}
+    solve(problem, time_limit=limit, gap=1e-6, progress=steps.append)
+    for before, after in itertools.pairwise(steps):
+        found[after.phase] = max(found.get(after.phase, (0.0, 0.0)), (after.time - before.time, after.time))
+    return {phase: end - took / 2 for phase, (took, end) in found.items()}
+
+
+@needs_signals
+def test_a_time_limit_is_kept_and_ctrl_c_is_heard_with_many_targets(tmp_path):
+    problem = sized(50, 10)
+    with solving(problem, tmp_path) as process:
+        _assert_kept(process, problem, 2.0)
+        _assert_interrupted(process, problem, 1.0)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("n, m", [(10, 1), (20, 1), (20, 5), (50, 1), (50, 10), (100, 2), (100, 20)])
+def test_a_time_limit_is_kept_at_every_size(tmp_path, n, m):
+    problem = sized(n, m)
+    with solving(problem, tmp_path) as process:
+        for limit in (2.0, 10.0):
+            solution = _assert_kept(process, problem, limit)
+    assert n < 50 or m == 1 or solution.bound > 0.0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("n, m", [(20, 1), (20, 5), (50, 10), (100, 20)])
+def test_a_time_limit_is_kept_in_every_phase(tmp_path, n, m):
+    problem = sized(n, m)
+    moments = _moments(problem, 60.0)
+    assert {"prices", "elimination"} <= moments.keys()
+    with solving(problem, tmp_path) as process:
+        for moment in moments.values():
+            _assert_kept(process, problem, moment)
+
+
+@pytest.mark.slow
+@needs_signals
+@pytest.mark.parametrize("n, m", [(50, 1), (50, 10), (100, 20)])
+def test_ctrl_c_is_heard_within_a_second_at_every_size(tmp_path, n, m):
+    problem = sized(n, m)
+    with solving(problem, tmp_path) as process:
+        for seconds in (0.3, 3.0, 8.0, 20.0, 45.0):
+            _assert_interrupted(process, problem, seconds)

@@ -13,6 +13,8 @@ MANY = [(n, w, m, seed) for n in (6, 7, 8, 9, 10) for w in (20, 40, 60) for m in
 #: small windows, where the branch and bound closes within seconds
 MICP = [(8, 20, 1, 5), (8, 20, 3, 5), (9, 20, 2, 6), (10, 20, 3, 7)]
 MANY_MICP = [(n, w, m, seed) for n in (8, 9, 10) for w in (20, 40) for m in (1, 3) for seed in (8, 9)]
+#: beyond enumeration: with many agents and small windows the MICP closes as well
+BEYOND_MICP = [(11, 20, 3, 1), (12, 20, 3, 2), (13, 20, 5, 1), (14, 20, 5, 2), (15, 20, 5, 1)]
 
 
 @pytest.mark.parametrize("n, window, m, seed", SMALL + LARGER)
@@ -56,6 +58,13 @@ def test_the_optimum_is_that_of_the_micp(n, window, m, seed):
 def test_the_optimum_is_that_of_the_micp_wherever_it_closes(solver):
     closed = [_assert_agrees_with_micp(generate(*setting), solver, 120) for setting in MANY_MICP]
     assert sum(closed) >= len(closed) / 2
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("solver", ["clarabel", "scip"])
+def test_the_optimum_is_that_of_the_micp_beyond_enumeration(solver):
+    closed = [_assert_agrees_with_micp(generate(*setting), solver, 300) for setting in BEYOND_MICP]
+    assert sum(closed) >= (len(closed) if solver == "clarabel" else 2)
 
 
 def test_another_seed_of_the_solver_leads_to_the_same_optimum():

@@ -11,44 +11,11 @@ from mamttsp.options import Options
 from mamttsp.warm_up import ensure_compiled
 from tests.exact.certificates import assert_brackets, assert_certificate, assert_sound
 from tests.exact.enumeration import optimum
+from tests.exact.paths import FORCED, UNSETTLED
 from tests.general_instances import random_general
 from tests.meetings import passing, three_at_one_point, two_on_one_path
 from tests.oracle import optimum as general_optimum
 
-#: no enumeration fits, at whatever time
-NONE_FITS = dict.fromkeys(("enumeration", "enumeration_early", "enumeration_last"), 0.01)
-
-FORCED = {
-    "no enumeration fits at first": {**NONE_FITS, "piece": 9.0, "pieces_each": 4},
-    "the early enumeration": {"enumeration_early": 1e6},
-    "the last enumeration": {**NONE_FITS, "enumeration_last": 1e6, "piece": 9.0, "pieces_each": 4},
-    "nothing but shorter pieces": {**NONE_FITS, "worthwhile": 2.0, "piece": 9.0, "pieces_each": 2},
-    "ng-sets grow from nothing": {"ng_size": 0},
-    "ng-sets grow by the shortest cycles": {
-        "ng_size": 0,
-        "longest_cycle": 2,
-        **NONE_FITS,
-        "piece": 9.0,
-        "pieces_each": 4,
-    },
-    "two pieces for each target": {"piece": 9.0, "pieces_each": 2},
-    "no set is settled": {"few_sets": 0},
-    "no sequence is timed": {"few_sequences": 0},
-    "prices move with all entries": {"few_entries": ()},
-    "prices move with one entry of a piece": {"few_entries": (1,), "piece": 9.0, "pieces_each": 4},
-    "arcs are dropped whenever they can be": {"dropped": 1.0, **NONE_FITS},
-    "every gap is small": {"near": 1.0},
-    "no gap is small": {"near": 0.0},
-    "one piece for each segment": {"first_pieces": 1},
-    "one column an evaluation": {"columns": 1, "columns_each": 1},
-    "two steps of column generation": {"most_steps": 2},
-    "columns are forgotten": {"most_columns": 10},
-    "a tiny box": {"box": 1e-4},
-    "no annealing worth the name": {"annealing": 0.0, "annealing_step": 1, "timed": 0},
-    "any cut that is violated": {"violation": 1e-6, "cuts": 2, **NONE_FITS, "piece": 9.0, "pieces_each": 4},
-    "pieces get much shorter": {"finer": 8.0, "finer_after_routes": 8.0, "piece": 9.0, "pieces_each": 2},
-    "few pieces fit": {"most_pieces": 60, "piece": 9.0, "pieces_each": 3, **NONE_FITS},
-}
 #: (targets, total window, agents, seed)
 GENERATED = ((3, 60, 1, 0), (4, 40, 2, 1), (5, 60, 1, 2), (5, 40, 2, 3), (6, 60, 3, 4), (6, 20, 2, 5), (6, 60, 2, 6))
 #: (targets, types of agents, seed)
@@ -75,7 +42,7 @@ def _known(name):
 
 
 #: three at one point: a kink where they meet, so that without settling the gap closes to first order only
-_OPEN = {(path, name) for path in ("no set is settled", "no sequence is timed") for name in ("three at one point",)}
+_OPEN = {(path, "three at one point") for path in UNSETTLED}
 
 
 @pytest.fixture(scope="module", autouse=True)

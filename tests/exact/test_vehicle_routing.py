@@ -11,7 +11,7 @@ from tests.exact.vehicle_routing import customers, pyvrp_length
 
 #: (customers, agents, length of the windows in s, seed)
 FAST = [(15, 2, 30, 3), (20, 3, 40, 1), (25, 4, 20, 1)]
-SLOW = [(n, m, w, 5) for n, m in ((20, 2), (25, 2), (30, 3), (35, 4), (40, 4)) for w in (15, 30, 60)]
+SLOW = [(n, m, w, 5) for n, m in ((20, 2), (25, 2), (30, 3), (35, 4), (40, 4), (50, 5), (60, 6)) for w in (15, 30, 60)]
 
 
 def _assert_not_worse(problem, ours, theirs):

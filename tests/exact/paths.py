@@ -1,0 +1,41 @@
+"""The paths of the search, each forced by constants."""
+
+#: no enumeration fits, at whatever time
+NONE_FITS = dict.fromkeys(("enumeration", "enumeration_early", "enumeration_last"), 0.01)
+#: {name: fields of `Parameters` that differ from the defaults}
+FORCED = {
+    "no enumeration fits at first": {**NONE_FITS, "piece": 9.0, "pieces_each": 4},
+    "the early enumeration": {"enumeration_early": 1e6},
+    "the last enumeration": {**NONE_FITS, "enumeration_last": 1e6, "piece": 9.0, "pieces_each": 4},
+    "nothing but shorter pieces": {**NONE_FITS, "worthwhile": 2.0, "piece": 9.0, "pieces_each": 2},
+    "ng-sets grow from nothing": {"ng_size": 0},
+    "ng-sets grow by the shortest cycles": {
+        "ng_size": 0,
+        "longest_cycle": 2,
+        **NONE_FITS,
+        "piece": 9.0,
+        "pieces_each": 4,
+    },
+    "two pieces for each target": {"piece": 9.0, "pieces_each": 2},
+    "no set is settled": {"few_sets": 0},
+    "no sequence is timed": {"few_sequences": 0},
+    "prices move with all entries": {"few_entries": ()},
+    "prices move with one entry of a piece": {"few_entries": (1,), "piece": 9.0, "pieces_each": 4},
+    "arcs are dropped whenever they can be": {"dropped": 1.0, **NONE_FITS},
+    "every gap is small": {"near": 1.0},
+    "no gap is small": {"near": 0.0},
+    "one piece for each segment": {"first_pieces": 1},
+    "one column an evaluation": {"columns": 1, "columns_each": 1},
+    "two steps of column generation": {"most_steps": 2},
+    "columns are forgotten": {"most_columns": 10},
+    "a tiny box": {"box": 1e-4},
+    "no annealing worth the name": {"annealing": 0.0, "annealing_step": 1, "timed": 0},
+    "any cut that is violated": {"violation": 1e-6, "cuts": 2, **NONE_FITS, "piece": 9.0, "pieces_each": 4},
+    "pieces get much shorter": {"finer": 8.0, "finer_after_routes": 8.0, "piece": 9.0, "pieces_each": 2},
+    "few pieces fit": {"most_pieces": 60, "piece": 9.0, "pieces_each": 3, **NONE_FITS},
+}
+#: paths on which nothing is timed to its end: where targets meet, there is a kink, and the gap closes to first order
+#: only, if at all
+UNSETTLED = ("no set is settled", "no sequence is timed")
+#: paths on which labels are not enumerated, or late: the linear relaxation and shorter pieces close no other gap
+UNENUMERATED = tuple(name for name, changed in FORCED.items() if changed.get("enumeration", 1.0) < 1.0)

@@ -1,0 +1,101 @@
+"""Ruin and recreate: what it returns serves all targets, can be flown and carried, and nothing is lost on the way."""
+
+import numpy as np
+import pytest
+
+from mamttsp import build_graph, generate
+from mamttsp.exact import ruin_and_recreate as annealing
+from mamttsp.exact.fleet import Fleet
+from mamttsp.exact.parameters import Parameters
+from mamttsp.timing import best_times, earliest_times
+from tests.exact.networks import alike, best_solution, flyable_routes, load, small, unlike
+
+CASES = [(seed, small(seed, n=5), alike(m)) for seed in range(3) for m in (1, 2, 3)]
+CASES += [(seed, graph, Fleet.of(graph)) for seed, graph in enumerate(map(unlike, range(5)))]
+every_case = pytest.mark.parametrize(
+    "seed, graph, fleet", CASES, ids=[f"{seed}-{fleet.counts}" for seed, _, fleet in CASES]
+)
+
+
+def _looks(graph, fleet, seed, count=6, parameters=None):
+    """Return the routes of `count` looks, one after the other."""
+    search = annealing.Annealing(graph, range(graph.n_targets), fleet, parameters or Parameters(), seed)
+    return [search.run(150, 1.0 - k / count, 1.0 - (k + 1) / count) for k in range(count)]
+
+
+@every_case
+def test_routes_serve_all_targets_and_can_be_flown_and_carried(seed, graph, fleet):
+    found = [routes for routes in _looks(graph, fleet, seed) if routes]
+    shortest, _ = best_solution(graph, fleet)
+    assert found or shortest == np.inf
+    for routes in found:
+        assert sorted(int(graph.tau[i]) for route in routes for i in route) == list(range(graph.n_targets))
+        layers = [set(graph.layer[list(route)].tolist()) for route in routes]
+        assert all(len(of_route) == 1 for of_route in layers)
+        used = np.bincount([min(of_route) for of_route in layers], minlength=len(fleet.counts))
+        assert (used <= fleet.counts).all()
+        assert all(load(graph, route) <= graph.room[graph.layer[route[0]]] for route in routes)
+        assert all(earliest_times(graph, route) is not None for route in routes)
+        assert sum(best_times(graph, list(route))[0] for route in routes) >= shortest * (1 - 1e-7)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_on_small_instances_it_finds_the_optimum(seed):
+    """Of one agent: the grid cannot tell orders apart that differ by little, so the best of some looks."""
+    graph, fleet = small(seed, n=5), alike(1)
+    shortest, _ = best_solution(graph, fleet)
+    lengths = [best_times(graph, list(route))[0] for routes in _looks(graph, fleet, seed) if routes for route in routes]
+    assert min(lengths) == pytest.approx(shortest, rel=0.01)
+
+
+def test_the_same_seed_takes_the_same_way():
+    graph = build_graph(generate(12, 40, 3, seed=3))
+    one, two, other = (_looks(graph, alike(3), seed) for seed in (5, 5, 6))
+    assert one == two and one != other
+
+
+@pytest.mark.parametrize("radial", [0.0, 1.0])
+@pytest.mark.parametrize("seed", range(5))
+def test_what_a_ruin_takes_out_is_what_is_missing_afterwards(seed, radial):
+    rng, n, m = np.random.default_rng(seed), 12, 3
+    order = np.argsort(rng.random((n, n)) - 2.0 * np.eye(n), axis=1)  # each target first in its row
+    ruins = annealing.Ruins(3.0, 4.0, radial, 0.01, 0.02)
+    taken_out = 0
+    for draw in range(20):
+        dealt = rng.permutation(n)
+        length = rng.multinomial(n - 2, np.ones(m) / m)
+        routes, before = np.zeros((m, n), np.int64), np.cumsum(length) - length
+        for k in range(m):
+            routes[k, : length[k]] = dealt[before[k] : before[k] + length[k]]
+        old = [row[:size].tolist() for row, size in zip(routes, length)]
+        bank = annealing._remove(draw % n, order, routes, length, dealt[n - 2 :], ruins)
+        left = [row[:size].tolist() for row, size in zip(routes, length)]
+        assert sorted([*bank.tolist(), *(u for route in left for u in route)]) == list(range(n))
+        assert set(dealt[n - 2 :].tolist()) <= set(bank.tolist())
+        taken_out += len(bank) - 2
+        assert left == [[u for u in route if u in set(now)] for route, now in zip(old, left)]  # in the old order
+        if radial:  # the closest ones to the seed, however many
+            taken = set(bank.tolist()) - set(dealt[n - 2 :].tolist())
+            close = order[draw % n].tolist()
+            farthest = max((close.index(u) for u in taken), default=0)
+            assert taken >= set(close[: farthest + 1]) - set(dealt[n - 2 :].tolist()) and farthest < 6
+        else:  # strings of neighbours: no route loses more than one
+            for route, now in zip(old, left):
+                gone = [k for k, u in enumerate(route) if u not in now]
+                assert not gone or gone[-1] - gone[0] + 1 == len(gone) <= 4
+    assert taken_out > 20
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_what_is_called_flyable_is(seed):
+    rng, graph = np.random.default_rng(seed), small(seed, n=4)
+    segment = np.c_[graph.p_lo, graph.v, graph.t_lo, graph.t_hi]
+    flyable, told = set(flyable_routes(graph)), []
+    for _ in range(200):
+        targets = rng.permutation(graph.n_targets)[: rng.integers(1, 5)]
+        route = tuple(int(rng.choice(graph.C(u))) for u in targets)
+        depot, end = graph.p_lo[graph.starts[0]], graph.p_lo[graph.ends[0]]
+        points = np.array(route)
+        told.append(annealing._flyable(points, len(route), segment, depot, end, graph.speeds[0], graph.horizon))
+        assert told[-1] == (route in flyable)
+    assert 0 < sum(told) < len(told)
