@@ -9,7 +9,7 @@ import dataclasses
 import math
 from pathlib import Path
 
-from ...library import load
+from ...library import load_for
 from ...solution import FEASIBLE, OPTIMAL, UNKNOWN, Solution, relative_gap
 from ...tours import TourError, check
 from ...validation import InputError
@@ -68,7 +68,7 @@ def update(folder, found):
 def line_faults(folder, line):
     """Return what is wrong with a line of the table, as texts: its tours, their length, the bound above it."""
     try:
-        instance = _instance(folder, line["name"], int(line["agents"]))
+        instance = load_for(line["name"], int(line["agents"]), folder)
         tours = Solution.read(Path(folder) / line["solution"]).tours if line["solution"] else ()
         if not tours:
             return ["claims a length and has no tours"] if line["objective"] else []
@@ -89,7 +89,7 @@ def _improved(folder, line, one, changes):
     new, tours = dict(line), None
     length, bound = (float(line[what]) if line[what] != "" else None for what in ("objective", "bound"))
     if one.tours:
-        found = check(_instance(folder, one.name, one.agents), one.tours)
+        found = check(load_for(one.name, one.agents, folder), one.tours)
         if length is None or found < length * (1 - _BETTER):
             _note(changes, line, "objective", length, found, one.tours_by)
             new |= {"objective": found, "objective_by": one.tours_by}
@@ -116,12 +116,6 @@ def _note(changes, line, what, before, after, by):
     if before is not None:
         names = line["name"], line["agents"], what, before, after, by
         changes.append(dict(zip(CHANGE_COLUMNS, names)))
-
-
-def _instance(folder, name, agents):
-    """Return an instance of the folder; the number of agents of several types is the instance's own."""
-    instance = load(name, folder=folder)
-    return instance if not instance.plain else instance.with_agents(agents)
 
 
 def _read(path):
