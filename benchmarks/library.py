@@ -55,15 +55,18 @@ def runs_left(folder, wanted, time_limit, again=False):
 
 def improve(folder, runs, jobs=1, command=None, quiet=False):
     """Do the runs and take what each found into the folder; command: see `campaign`. What found nothing is told."""
-    with campaign_bar(len(runs), 0, quiet) as bar:
-        with contextlib.closing(rows_apart(runs, jobs, MEMORY_LIMIT, bar, command)) as rows:
-            for row in rows:
-                if row.get("bound") is None and not tours_of({"tours": row.get("tours")}):
-                    print(f"{row['name']}, {row['agents']} agents: {row['status']} {row.get('message', '')}".rstrip())
-                else:
-                    found = tours_of(row), row["bound"], LibraryRun.method, LibraryRun.method
-                    update(folder, [Contribution(row["name"], row["agents"], *found)])
-                bar.update()
+    with (
+        campaign_bar(len(runs), 0, quiet) as bar,
+        contextlib.closing(rows_apart(runs, jobs, MEMORY_LIMIT, bar, command)) as rows,
+    ):
+        for row in rows:
+            tours, bound = tours_of({"tours": row.get("tours")}), row.get("bound")
+            if tours or bound is not None:
+                found = tours, bound, LibraryRun.method, LibraryRun.method
+                update(folder, [Contribution(row["name"], row["agents"], *found)])
+            else:
+                print(f"{row['name']}, {row['agents']} agents: {row['status']} {row.get('message', '')}".rstrip())
+            bar.update()
 
 
 def main():

@@ -70,7 +70,9 @@ def _warm_up(run):
 
 
 def _sizes(run, instance):
-    """Return the graph's and the model's sizes, as columns."""
+    """Return the graph's and the model's sizes, as columns; the graph is the paper's, of agents that are alike."""
+    if not instance.plain:
+        return {}
     graph = build_graph(instance)
     sizes = {"V": graph.s_prime + 1, "E": len(graph.edges)}
     if run.method == "exact":
