@@ -172,4 +172,6 @@ def _read(path):
 
 def _write(path, columns, lines):
     texts = [list(columns), *([text_of(line[name]) for name in columns] for line in lines)]
-    path.write_bytes(b"".join(map(line_of, texts)))
+    temporary = path.with_name(f"{path.name}.tmp")  # whoever is killed here leaves the old file
+    temporary.write_bytes(b"".join(map(line_of, texts)))
+    temporary.replace(path)

@@ -4,6 +4,7 @@ import csv
 import dataclasses
 import json
 import shutil
+from pathlib import Path
 
 import numpy as np
 import pandas as pd
@@ -100,6 +101,23 @@ def test_what_is_wrong_is_not_taken(folder, found):
     with pytest.raises(InputError, match=f"^{NAME}, 2 agents: the bound 1000.0 is above"):
         update(folder, [_found(found[0], "one", 1000.0)])
     assert not (folder / TABLE).exists()
+
+
+def test_cut_short_in_writing_it_leaves_the_table_as_it_was(folder, found, monkeypatch):
+    update(folder, [_found(found[1], "one", 50.0)])
+    before, write = (folder / TABLE).read_bytes(), Path.write_bytes
+
+    def half(path, data):
+        write(path, data[: len(data) // 2])
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Path, "write_bytes", half)
+    with pytest.raises(KeyboardInterrupt):
+        update(folder, [_found(found[0], "two", 60.0)])
+    assert (folder / TABLE).read_bytes() == before
+    monkeypatch.setattr(Path, "write_bytes", write)
+    update(folder, [_found(found[0], "two", 60.0)])  # does what was cut short
+    assert _faults(folder) == [] and _table(folder)[0]["objective_by"] == "two"
 
 
 def test_what_a_campaign_knows(found):
