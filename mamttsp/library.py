@@ -47,6 +47,19 @@ def load(name: str, n_agents: int | None = None, folder: str | os.PathLike[str] 
     return instance if agents is None else instance.with_agents(agents)
 
 
+def load_for(name, agents, folder=FOLDER):
+    """Return the instance of a short name without "-m3" for so many agents, as tables name it.
+
+    InputError: see `load`; or the file has types of agents or capacities, and so a number of its own, which is another.
+    """
+    instance = load(name, folder=folder)
+    if instance.plain:
+        return instance.with_agents(agents)
+    if agents != instance.n_agents:
+        raise InputError(f"agents: {name} has {instance.n_agents}, found {agents}")
+    return instance
+
+
 def parameters():
     """Return {short name: arguments of `generate`} of all instances, as JSON has them."""
     made = {}

@@ -48,6 +48,13 @@ def test_every_instance_of_the_library_is_valid():
         assert validator.is_valid(json.loads((FOLDER / f"{name}.json").read_text())), name
 
 
+def test_the_library_s_best_solutions_are_valid():
+    validator, paths = VALID(schema("solution")), sorted((FOLDER / "best").glob("*.json"))
+    assert len(paths) >= 560
+    for path in paths[::7]:
+        assert validator.is_valid(json.loads(path.read_text())), path.name
+
+
 @pytest.mark.parametrize("case", [case for case in BAD if case not in BEYOND])
 def test_what_a_reader_refuses_for_its_kind_the_schema_refuses(case):
     data = json.loads(BAD[case][0])

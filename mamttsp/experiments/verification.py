@@ -10,7 +10,7 @@ from ..solution import FEASIBLE, OPTIMAL
 from ..tours import check
 from ..validation import InputError, counted
 from .campaigns.rows import INSTANCE, tours_of
-from .summaries.best_solutions import TABLE, line_faults
+from .summaries.best_solutions import COLUMNS, TABLE, line_faults, table_faults
 
 #: relative difference that counts as equal: of a length that the row and the checker say
 _EQUAL = 1e-6
@@ -50,20 +50,32 @@ def sha256(path):
 
 def _has_tours(path):
     with path.open(newline="", encoding="utf-8", errors="replace") as file:
-        return {*INSTANCE, "tours"} <= set(next(csv.reader(file), ()))
+        return {*INSTANCE, "tours"} <= set(file.readline().rstrip("\r\n").split(","))
 
 
 def _verify_table(path):
-    faults, checked, instances = [], 0, {}
-    with path.open(newline="", encoding="utf-8", errors="replace") as file:
-        for number, row in enumerate(csv.DictReader(file), start=2):
-            try:
-                found, looked_at = _row_faults(row, instances)
-            except (ValueError, KeyError, TypeError) as error:  # an InputError or a TourError, or no number
-                found, looked_at = str(error).splitlines(), True
-            checked += looked_at
-            faults += [f"{path}, line {number}: {fault}" for fault in found]
+    _, rows, faults = _read(path)
+    checked, instances = 0, {}
+    for number, row in rows:
+        try:
+            found, looked_at = _row_faults(row, instances)
+        except (ValueError, KeyError, TypeError) as error:  # an InputError or a TourError, or no number
+            found, looked_at = str(error).splitlines(), True
+        checked += looked_at
+        faults += [f"{path}, line {number}: {fault}" for fault in found]
     return f"{path}: tours of {counted(checked, 'row')}", faults
+
+
+def _read(path):
+    """Return the header of a CSV file, its rows with their numbers, as far as it can be read, and faults in that."""
+    rows = []
+    with path.open(newline="", encoding="utf-8", errors="replace") as file:
+        reader = csv.DictReader(file)
+        try:
+            rows.extend(enumerate(reader, start=2))
+        except csv.Error as error:  # a quotation mark opens a field that is too long
+            return reader.fieldnames, rows, [f"{path}, line {len(rows) + 2}: {error}"]
+        return reader.fieldnames, rows, []
 
 
 def _row_faults(row, instances):
@@ -86,13 +98,11 @@ def _row_faults(row, instances):
 
 
 def _verify_library(path):
-    with path.open(newline="", encoding="utf-8") as file:
-        lines = list(csv.DictReader(file))
-    faults = [
-        f"{path}, line {number}: {fault}"
-        for number, line in enumerate(lines, start=2)
-        for fault in line_faults(path.parent, line)
-    ]
+    header, lines, faults = _read(path)
+    if tuple(header or ()) != COLUMNS:
+        return f"{path}: tours of 0 lines", [f"{path}, line 1: expected the columns {', '.join(COLUMNS)}"]
+    faults += [f"{path}, line {number}: {fault}" for number, line in lines for fault in line_faults(path.parent, line)]
+    faults += [f"{path}: {fault}" for fault in table_faults(path.parent, [line for _, line in lines])]
     return f"{path}: tours of {counted(len(lines), 'line')}", faults
 
 

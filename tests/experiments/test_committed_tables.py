@@ -1,12 +1,14 @@
 """The committed tables: every setting is there, every line is true, and they are what the committed rows say."""
 
 import shutil
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import pandas as pd
 import pytest
 
+from benchmarks.library import AGENTS, settings
+from mamttsp import load
 from mamttsp.experiments import profile
 from mamttsp.experiments.build_tables import build_tables
 from mamttsp.experiments.campaigns.rows import INSTANCE
@@ -33,6 +35,27 @@ def test_every_line_is_true(n):
     assert len(lines) == 140
     for _, line in lines.iterrows():
         verify(line)
+
+
+def test_of_the_library_each_line_is_of_a_setting_and_none_of_the_paper_s_is_lost():
+    beyond = {setting for series in AGENTS for setting in settings(series)}
+    names = (f"n{run.n:02}-i{run.index:02}-w{run.total_window}" for run in profile("exact"))
+    paper = set(zip(names, (run.agents for run in profile("exact"))))
+    lines = pd.read_csv(FOLDER / "instances" / "best_known.csv")
+    found = set(zip(lines.name, lines.agents))
+    assert len(paper) == 560 and paper <= found <= paper | beyond
+    assert lines.solution.notna().all() and len(found) == len(lines)
+
+
+def test_capacities_lengthen_the_best_tours_as_often_as_the_page_says():
+    lines = pd.read_csv(FOLDER / "instances" / "best_known.csv").set_index(["name", "agents"]).objective
+    pairs = [(f"loads-n20-i{index:02}-w40", f"n20-i{index:02}-w40") for index in range(10)]
+    for loaded, free in pairs:  # the same but for demands and capacities
+        targets = [replace(target, demand=0.0) for target in load(loaded).targets]
+        assert replace(load(free), targets=targets) == load(free)
+    lengthened = sum(lines[loaded, 4] > lines[free, 4] * 1.0001 for loaded, free in pairs)
+    page = (FOLDER / "README.md").read_text()
+    assert f"with 20 targets they make the best tours longer in {lengthened} of {len(pairs)} instances" in page
 
 
 def test_the_tables_are_what_the_rows_say(tmp_path):

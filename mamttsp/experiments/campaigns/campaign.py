@@ -51,7 +51,7 @@ def campaign(runs, path, jobs=None, memory_limit=MEMORY_LIMIT, quiet=False, comm
 
 
 def _in_processes(jobs):
-    return partial(_rows, jobs=whole("jobs", 1 if jobs is None else jobs, 1))
+    return partial(rows_apart, jobs=whole("jobs", 1 if jobs is None else jobs, 1))
 
 
 def _on_cluster(scheduler, jobs):
@@ -70,8 +70,9 @@ def _without_row(runs, results):
     return [run for run in runs if key_of(asdict(run)) not in done]
 
 
-def _rows(runs, jobs, memory_limit, command, bar):
-    """Yield a row for each run as it finishes. Each thread waits for the process of a run, so threads are enough."""
+def rows_apart(runs, jobs, memory_limit, bar, command=None):
+    """Yield a row for each run as it finishes, `jobs` at a time. Each thread waits for the process of a run, so threads
+    are enough. Whoever stops early closes it, and the processes are ended."""
     about, stop, running = provenance(jobs), threading.Event(), _Running(bar)
 
     def row(run):

@@ -1,9 +1,11 @@
 """What a campaign runs: one of our instances by one method within one limit; and the profiles, named lists of runs."""
 
 import dataclasses
+from typing import ClassVar
 
 from ...backends import choose
-from ...generate import PAPER_INDICES, PAPER_SIZES
+from ...generate import PAPER_INDICES, PAPER_SIZES, paper_instance
+from ...library import load_for
 from ...validation import InputError, positive
 
 #: the settings of the paper's Figures 2 and 3: (total window in s, agents)
@@ -29,6 +31,34 @@ class Run:
 
     def __post_init__(self):
         positive("time_limit", self.time_limit)
+
+    def instance(self):
+        """Return what is solved."""
+        return paper_instance(self.n, self.index, self.total_window, self.agents)
+
+
+@dataclasses.dataclass(frozen=True)
+class LibraryRun:
+    """One solve of an instance of the library for so many agents, by our exact method; time_limit: s."""
+
+    name: str
+    agents: int
+    time_limit: float
+    method: ClassVar = "exact"
+    modeler: ClassVar = None
+    solver: ClassVar = None
+
+    def __post_init__(self):
+        positive("time_limit", self.time_limit)
+
+    def instance(self):
+        """Return what is solved."""
+        return load_for(self.name, self.agents)
+
+
+def run_of(fields):
+    """Return the Run or the LibraryRun that has these fields."""
+    return (LibraryRun if "name" in fields else Run)(**fields)
 
 
 def profile(name, solver=None):

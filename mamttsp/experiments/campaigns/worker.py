@@ -1,4 +1,4 @@
-"""The process of one run: a Run and the campaign's process id in, its answer out, both JSON."""
+"""The process of one run: a Run or a LibraryRun and the campaign's process id in, its answer out, both JSON."""
 
 import ctypes
 import json
@@ -9,11 +9,11 @@ import time
 from importlib import metadata
 
 from ...formulations.statistics import closed_form
-from ...generate import generate, paper_instance
+from ...generate import generate
 from ...graph import build_graph
 from ...solve import solve
 from ...warm_up import warm_up
-from .runs import Run
+from .runs import run_of
 
 GAP, THREADS, SEED = 1e-4, 1, 0
 
@@ -24,7 +24,7 @@ def main():
     _die_with(given.pop("campaign"))
     answers = os.fdopen(os.dup(sys.stdout.fileno()), "w")
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
-    run = Run(**given)
+    run = run_of(given)
     try:
         answer = measure(run)
     except Exception as error:
@@ -36,7 +36,7 @@ def main():
 def measure(run):
     """Solve a run and return its answer, the sizes of its model and its tours as fields of a row."""
     _warm_up(run)
-    instance = paper_instance(run.n, run.index, run.total_window, run.agents)
+    instance = run.instance()
     start = time.perf_counter()
     options = {"time_limit": run.time_limit, "gap": GAP, "threads": THREADS, "seed": SEED}
     solution = solve(instance, run.method, run.modeler, run.solver, **options)
@@ -70,7 +70,9 @@ def _warm_up(run):
 
 
 def _sizes(run, instance):
-    """Return the graph's and the model's sizes, as columns."""
+    """Return the graph's and the model's sizes, as columns; the graph is the paper's, of agents that are alike."""
+    if not instance.plain:
+        return {}
     graph = build_graph(instance)
     sizes = {"V": graph.s_prime + 1, "E": len(graph.edges)}
     if run.method == "exact":

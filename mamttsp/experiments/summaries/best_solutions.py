@@ -7,9 +7,10 @@ each change of a value is a line of changes.csv.
 import csv
 import dataclasses
 import math
+from collections import Counter
 from pathlib import Path
 
-from ...library import load
+from ...library import load_for
 from ...solution import FEASIBLE, OPTIMAL, UNKNOWN, Solution, relative_gap
 from ...tours import TourError, check
 from ...validation import InputError
@@ -66,22 +67,67 @@ def update(folder, found):
 
 
 def line_faults(folder, line):
-    """Return what is wrong with a line of the table, as texts: its tours, their length, the bound above it."""
+    """Return what is wrong with a line of the table, as texts: tours, length, bound, what follows of them, the file."""
+    if None in line or None in line.values():  # as csv.DictReader says it
+        return [f"expected {len(COLUMNS)} fields"]
     try:
-        instance = _instance(folder, line["name"], int(line["agents"]))
-        tours = Solution.read(Path(folder) / line["solution"]).tours if line["solution"] else ()
-        if not tours:
-            return ["claims a length and has no tours"] if line["objective"] else []
-        length, objective = check(instance, tours), float(line["objective"])
-        bound = float(line["bound"]) if line["bound"] else 0.0
+        instance = load_for(line["name"], int(line["agents"]), folder)
+        objective, bound, gap = (_number(line, name) for name in ("objective", "bound", "gap_percent"))
+        if not line["solution"]:
+            return ["claims a length and has no tours"] if objective else _stated_faults(line, None, bound, gap)
+        stored = Solution.read(Path(folder) / line["solution"])
+        length = check(instance, stored.tours)
     except (InputError, TourError, ValueError) as error:
         return str(error).splitlines()
-    faults = []
-    if abs(objective - length) > 1e-9 * length:
-        faults.append(f"objective {objective}, but the tours' length is {length:.9f}")
-    if bound > length * (1 + _ABOVE):
+    if objective is None or not abs(objective - length) <= 1e-9 * length:
+        return [f"objective {line['objective'] or 'unknown'}, but the tours' length is {length:.9f}"]
+    faults = _stated_faults(line, objective, bound, gap)
+    if bound is not None and not bound <= length * (1 + _ABOVE):
         faults.append(f"bound {bound} is above the tours' length {length:.9f}")
+    if stored != _solution(line["status"], objective, bound, stored.tours, line["objective_by"]):
+        faults.append(f"{line['solution']} says another status, objective, bound or solver than the line")
     return faults
+
+
+def table_faults(folder, lines):
+    """Return what is wrong with the table besides its lines: one that is there twice, a file in no line."""
+    times = Counter((line["name"], line["agents"]) for line in lines)
+    faults = [f"{name}, {agents} agents: {count} lines" for (name, agents), count in times.items() if count > 1]
+    named = {line["solution"] for line in lines}
+    stored = sorted(path.relative_to(folder).as_posix() for path in (Path(folder) / SOLUTIONS).glob("*"))
+    return faults + [f"{name}: in no line" for name in stored if name not in named]
+
+
+def _stated_faults(line, objective, bound, gap):
+    """Return what is wrong with the numbers that follow of the others, and with the name of the file."""
+    faults, expected = [], relative_gap(objective, bound)
+    if (gap is None) != (expected is None) or (gap is not None and not abs(gap - 100 * expected) <= 1e-9):
+        stated = "unknown" if expected is None else 100 * expected
+        faults.append(f"gap_percent {line['gap_percent'] or 'unknown'}, but of objective and bound it is {stated}")
+    if line["status"] != (status := _status(objective, expected)):
+        faults.append(f"status {line['status']}, but of objective and bound it is {status}")
+    if line["solution"] not in ("", file := _file(line["name"], line["agents"])):
+        faults.append(f"solution {line['solution']}, but the file's name is {file}")
+    return faults
+
+
+def _number(line, name):
+    try:
+        return float(line[name]) if line[name] else None
+    except ValueError:
+        raise InputError(f"{name}: expected a number or nothing, found {line[name]!r}") from None
+
+
+def _file(name, agents):
+    return f"{SOLUTIONS}/{name}-m{agents}.json"
+
+
+def _status(objective, gap):
+    return UNKNOWN if objective is None else OPTIMAL if gap is not None and gap <= _CLOSED else FEASIBLE
+
+
+def _solution(status, objective, bound, tours, by):
+    return Solution(status, objective, bound, 0.0, tours, "best known", by)
 
 
 def _improved(folder, line, one, changes):
@@ -89,11 +135,11 @@ def _improved(folder, line, one, changes):
     new, tours = dict(line), None
     length, bound = (float(line[what]) if line[what] != "" else None for what in ("objective", "bound"))
     if one.tours:
-        found = check(_instance(folder, one.name, one.agents), one.tours)
+        found = check(load_for(one.name, one.agents, folder), one.tours)
         if length is None or found < length * (1 - _BETTER):
             _note(changes, line, "objective", length, found, one.tours_by)
             new |= {"objective": found, "objective_by": one.tours_by}
-            new["solution"] = f"{SOLUTIONS}/{one.name}-m{one.agents}.json"
+            new["solution"] = _file(one.name, one.agents)
             length, tours = found, one.tours
     if one.bound is not None and (bound is None or one.bound > bound * (1 + _BETTER)):
         _note(changes, line, "bound", bound, one.bound, one.bound_by)
@@ -104,11 +150,10 @@ def _improved(folder, line, one, changes):
         raise InputError(f"{one.name}, {one.agents} agents: the bound {bound} is above the length {length} ({who})")
     gap = relative_gap(length, bound)
     new["gap_percent"] = "" if gap is None else 100 * gap
-    new["status"] = UNKNOWN if length is None else OPTIMAL if gap is not None and gap <= _CLOSED else FEASIBLE
+    new["status"] = _status(length, gap)
     if new != line and new["solution"]:
         tours = tours or Solution.read(folder / new["solution"]).tours
-        best = Solution(new["status"], length, bound, 0.0, tours, "best known", new["objective_by"])
-        best.write(folder / new["solution"])
+        _solution(new["status"], length, bound, tours, new["objective_by"]).write(folder / new["solution"])
     return new
 
 
@@ -116,12 +161,6 @@ def _note(changes, line, what, before, after, by):
     if before is not None:
         names = line["name"], line["agents"], what, before, after, by
         changes.append(dict(zip(CHANGE_COLUMNS, names)))
-
-
-def _instance(folder, name, agents):
-    """Return an instance of the folder; the number of agents of several types is the instance's own."""
-    instance = load(name, folder=folder)
-    return instance if not instance.plain else instance.with_agents(agents)
 
 
 def _read(path):
@@ -133,4 +172,6 @@ def _read(path):
 
 def _write(path, columns, lines):
     texts = [list(columns), *([text_of(line[name]) for name in columns] for line in lines)]
-    path.write_bytes(b"".join(map(line_of, texts)))
+    temporary = path.with_name(f"{path.name}.tmp")  # whoever is killed here leaves the old file
+    temporary.write_bytes(b"".join(map(line_of, texts)))
+    temporary.replace(path)
