@@ -4,6 +4,7 @@ The master is stabilised by a box around the best prices so far (boxstep): targe
 the box or given back at the lower one.
 """
 
+import copy
 import dataclasses
 
 import numpy as np
@@ -31,14 +32,15 @@ class Columns:
 class ColumnGeneration:
     """Column generation over one network after another; what it knows of routes and prices is taken along.
 
-    best: the Evaluation of the greatest bound over the present network, ng-sets and cuts, None before the first; work:
-    entries extended along arcs so far.
+    best: the Evaluation of the greatest bound over the present network, ng-sets and cuts, None before the first;
+    support: (route, level, layer) of the master's columns in use; decisions: see `branching`; work: entries extended
+    along arcs so far.
     """
 
     def __init__(self, network, n_targets, fleet, pi, parameters, unit):
         self.network, self.n, self.fleet, self.parameters, self.unit = network, n_targets, fleet, parameters, unit
         self.pi, self.cuts, self.best, self.support = pi, Cuts.none(n_targets), None, []
-        self.box, self.dropped_at, self.work = np.inf, np.inf, 0
+        self.box, self.dropped_at, self.work, self.decisions = np.inf, np.inf, 0, ()
         self.N = ngsets.nearest(network.pieces, network.arcs, n_targets, parameters.ng_size)
         self.columns = Columns([], [], [], [])
         self._fresh_master()
@@ -66,10 +68,10 @@ class ColumnGeneration:
 
     def offer_incumbent(self, incumbent):
         """Add the incumbent's routes."""
-        routes = [route for route in incumbent.routes if route not in self.columns.segments]
-        if routes:
-            tau, agents = incumbent.graph.tau, [int(incumbent.graph.layer[r[0]]) for r in routes]
-            self.offer([tau[list(r)] for r in routes], routes, agents, [incumbent.timed(r)[0] for r in routes])
+        for route in incumbent.routes:
+            targets, layer = incumbent.graph.tau[list(route)], int(incumbent.graph.layer[route[0]])
+            if route not in self.columns.segments and all(d.permits(targets, layer) for d in self.decisions):
+                self.offer([targets], [route], [layer], [incumbent.timed(route)[0]])
 
     def moved(self, network):
         """Go on over another network; lengths of columns over the old one are forgotten."""
@@ -80,6 +82,26 @@ class ColumnGeneration:
     def narrowed(self, network):
         """Go on over a part of the present network."""
         self.network = network
+
+    def decided(self, decision):
+        """Return a ColumnGeneration of the permitted legs, that goes on from here."""
+        part = copy.copy(self)
+        part.network, part.decisions = decision.within(self.network), (*self.decisions, decision)
+        part.columns = dataclasses.replace(self.columns)
+        part.columns.keep([decision.permits(r, k) for r, k in zip(self.columns.routes, self.columns.agents)])
+        return part._begun()
+
+    def of_fleet(self, fleet):
+        """Return a ColumnGeneration for another Fleet, that goes on from here."""
+        part = copy.copy(self)
+        part.fleet, part.columns = fleet, dataclasses.replace(self.columns)
+        part.columns.keep(np.ones(len(self.columns.routes), bool))
+        return part._begun()
+
+    def _begun(self):
+        self.best, self.dropped_at, self.support = None, np.inf, []
+        self._fresh_master()
+        return self
 
     def elementary(self, least, most):
         """Return up to `most` routes of segments among the columns that repeat no target and make at least so many
@@ -92,7 +114,7 @@ class ColumnGeneration:
     def cyclic(self, cheapest):
         """Return the routes whose cycles ng-sets ought to forbid: of the master's support, and with `cheapest` those of
         the best Evaluation as well: for one agent the bound rises only once nearly all cycles are gone."""
-        routes = [route for route, _ in self.support]
+        routes = [route for route, _, _ in self.support]
         if cheapest:
             found, _ = self.best.columns(self.parameters.columns, self.parameters.columns_each, 3 * self.n)
             routes += [self.best.pieces.target[route] for route in found]
@@ -164,7 +186,8 @@ class ColumnGeneration:
             if evaluation is not self.best and np.allclose(duals.pi, pi, atol=1e-9 * self.unit):
                 box *= 0.4  # these columns prove more than L did, and cannot lead away from here
             predicted = duals.value - self.best.value
-            self.support = [(self.columns.routes[j], duals.level[j]) for j in np.flatnonzero(duals.level > 1e-6)]
+            used = np.flatnonzero(duals.level > 1e-6)
+            self.support = [(self.columns.routes[j], duals.level[j], self.columns.agents[j]) for j in used]
             if predicted <= p.converged * max(limit - self.best.value, 0.0) + 1e-6 * self.unit:
                 if duals.outside < 1e-6 or box < thinnest:
                     break

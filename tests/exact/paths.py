@@ -7,7 +7,7 @@ FORCED = {
     "no enumeration fits at first": {**NONE_FITS, "piece": 9.0, "pieces_each": 4},
     "the early enumeration": {"enumeration_early": 1e6},
     "the last enumeration": {**NONE_FITS, "enumeration_last": 1e6, "piece": 9.0, "pieces_each": 4},
-    "nothing but shorter pieces": {**NONE_FITS, "worthwhile": 2.0, "piece": 9.0, "pieces_each": 2},
+    "split as soon as shorter pieces were tried": {**NONE_FITS, "worthwhile": 2.0, "piece": 9.0, "pieces_each": 2},
     "ng-sets grow from nothing": {"ng_size": 0},
     "ng-sets grow by the shortest cycles": {
         "ng_size": 0,

@@ -84,7 +84,7 @@ def test_the_paths_are_those_that_are_meant():
     usual = _phases(problem, Parameters())
     assert "settle" in usual and "labels" not in usual
     assert "labels" in _phases(problem, Parameters(**FORCED["no enumeration fits at first"]))
-    shorter = _phases(problem, Parameters(**FORCED["nothing but shorter pieces"]))
+    shorter = _phases(problem, Parameters(**FORCED["split as soon as shorter pieces were tried"]))
     assert shorter.count("elimination") > usual.count("elimination")
     assert "settle" not in _phases(problem, Parameters(few_sets=0))
 

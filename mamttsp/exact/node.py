@@ -1,0 +1,246 @@
+"""A node of the search: some of the solutions, over pieces and arcs of its own. A round bounds, finds, eliminates and
+enumerates; what is left is cut finer or split.
+
+See README.md for a round as a diagram.
+"""
+
+import copy
+
+import numpy as np
+
+from . import branching
+from .cuts import MOST_CUTS, separate
+from .enumeration import Enumeration
+from .evaluation import refined, restricted
+from .partition import relax_choice
+from .settle import Sets, settle
+
+
+class Node:
+    """Solutions over the network of `generation`, of no more routes than its fleet has.
+
+    search: the run, with what it knows of tours; bound: lower bound on the solutions of the node that are below the
+    limit; exhausted: nothing can raise that any more; width: length of the pieces in s.
+    """
+
+    def __init__(self, search, generation, width):
+        self.search, self.generation, self.width = search, generation, width
+        self.n, self.parameters, self.clock = search.n, search.parameters, search.clock
+        self.incumbent, self.bound, self.exhausted, self.enumerated = search.incumbent, 0.0, False, False
+        self.most_pieces, self.means, self.first, self.fewer_arcs = search.parameters.most_pieces, 0, True, np.inf
+        self.finer_from, self.splits = -np.inf, False
+
+    @property
+    def limit(self):
+        return self.search.limit
+
+    @property
+    def m(self):
+        """How many routes there are at most."""
+        return self.generation.fleet.n_agents
+
+    def raise_bound(self, bound):
+        self.bound = max(self.bound, min(bound, self.limit))
+        self.search.raise_bound()
+
+    def over(self):
+        return self.search.over() or self.exhausted or self.bound >= self.limit
+
+    def near(self):
+        """Tell whether the gap is small."""
+        return self.bound >= (1.0 - self.parameters.near) * self.limit
+
+    def round(self):
+        """Raise the bound over the present pieces, drop what is beyond the limit, and try to enumerate the rest; return
+        the nodes to go on with."""
+        p, before, routes = self.parameters, self.bound, None
+        self.generation.offer_incumbent(self.incumbent)
+        for most_entries in (*p.few_entries, None):
+            routes = self.stage(most_entries)
+            if routes or self.over():
+                break
+        if not routes and not self.over():
+            if not self.near() and (self.first or self.search.found):
+                self.search.search_tours(p.annealing_later)
+            if self.over() or self.strengthen(self.worthwhile(before)):
+                return [self]
+            # Shorter pieces make more labels of the same routes: with a wide gap these are the fewest there will be.
+            if self.m == 1:
+                routes = self.enumerate(p.enumeration_last)
+        if self.over():
+            return [self]
+        self.splits = self.splits or not self.worthwhile(self.finer_from)
+        if not routes and self.splits and (parts := self.split()):
+            return parts
+        self.refine(routes)
+        return [self]
+
+    def worthwhile(self, before):
+        """Tell whether much of the gap was closed since the bound was `before`."""
+        return self.bound - before >= self.parameters.worthwhile * (self.limit - before)
+
+    def split(self):
+        """Return parts that hold all solutions of the node; none if the prices do not tell on what to split."""
+        generation = self.generation
+        parts = [generation.of_fleet(fleet) for fleet in branching.fleets(generation.support, generation.fleet)]
+        if not parts:
+            parts = [generation.decided(decision) for decision in branching.decisions(generation.support)]
+        return [self.part(generation) for generation in parts]
+
+    def part(self, generation):
+        """Return a Node with a part of this one's solutions, which goes on from here."""
+        part = copy.copy(self)
+        part.generation, part.means, part.first, part.fewer_arcs = generation, 0, False, np.inf
+        return part
+
+    def stage(self, most_entries):
+        """Move the prices with so many entries of each piece, and eliminate; return all routes if they are few."""
+        p, generation = self.parameters, self.generation
+        generation.run(most_entries, self.limit, self.clock, self.raise_bound)
+        self.search.report("prices")
+        if self.over():
+            return None
+        if most_entries is not None:
+            return self.enumerate(p.enumeration_early) if self.first and self.m == 1 else None
+        self.time_columns()
+        network = generation.best.eliminated(self.limit, generation.tolerance)
+        generation.narrowed(network)
+        self.search.report("elimination")
+        if self.clock.out() or len(network.arcs.head) > self.fewer_arcs:
+            return None
+        self.fewer_arcs = p.fewer_arcs * len(network.arcs.head)
+        return self.enumerate(p.enumeration)
+
+    def time_columns(self):
+        """Time the elementary columns of least reduced cost, and choose among all routes known."""
+        least = self.n if self.m == 1 else 1
+        for segments in self.generation.elementary(least, self.parameters.timed * self.n):
+            if self.clock.out():
+                return
+            self.incumbent.timed(segments)
+        self.search.recombine()
+
+    def strengthen(self, worthwhile):
+        """Go on with the present means of raising the bound over these pieces, if it was worthwhile, or with the next
+        one: larger ng-sets, subset-row cuts; return False if there is none left."""
+        if not (worthwhile or self.first):  # the first round over new pieces says nothing of either
+            self.means += 1
+        self.first = False
+        if self.means == 0 and self.generation.grow(self.generation.cyclic(self.m == 1)):
+            return True
+        if self.means <= 1 and self.m > 1 and self.add_cuts():
+            self.means = 1
+            return True
+        return False
+
+    def add_cuts(self):
+        generation = self.generation
+        room = MOST_CUTS - len(generation.cuts.rows)
+        if room <= 0 or not generation.support:
+            return False
+        routes, level, _ = zip(*generation.support)
+        rows, memory = separate(routes, level, self.n, min(room, self.parameters.cuts), self.parameters.violation)
+        if not len(rows):
+            return False
+        generation.add_cuts(rows, memory)
+        return True
+
+    def enumerate(self, effort):
+        """Enumerate all routes of solutions within the limit, extending `effort` labels for each entry that prices
+        have extended; return them if that was enough, None else."""
+        p, limit = self.parameters, self.limit
+        evaluation = self.generation.evaluate(self.generation.pi, self.generation.cuts)
+        self.raise_bound(evaluation.bound)
+        slack = self.generation.best.slack(limit)
+        routes = Enumeration(
+            evaluation, slack, self.n, self.m == 1, p.most_labels, effort * self.generation.work, p.rate, self.clock
+        )  # fmt: skip
+        self.search.labels += routes.size
+        if not routes.complete:
+            self.search.report("labels")
+            return None
+        self.search.columns += len(routes.cost)
+        sets = Sets(routes.visited, routes.agents, routes.cost, self.n)
+        relaxed = relax_choice(
+            sets.members, sets.agents, sets.cost, self.generation.fleet, limit, self.search.unit, self.clock.seconds
+        )
+        if relaxed is None:
+            return None
+        self.raise_bound(min(relaxed.bound, limit))
+        self.search.report("routes")
+        alive = relaxed.slack[sets.of_column] >= routes.cost - sets.cost[sets.of_column]
+        self.time_routes(routes, np.flatnonzero(alive))
+        routes.lead(alive)
+        sets.keep(relaxed.slack >= 0.0)
+        # Far from the limit, shorter pieces raise all bounds at once; but that is tried only once.
+        ready = self.m == 1 or self.enumerated or self.near()
+        self.enumerated = True
+        if not self.over() and ready and 0 < len(sets.cost) <= self.parameters.few_sets:
+            self.settle(sets, routes)
+        return routes
+
+    def time_routes(self, routes, columns):
+        """Time the columns of least reduced cost, and choose among all routes known."""
+        order = columns[np.argsort(-routes.spare[columns], kind="stable")]
+        for column in order[: self.parameters.timed * self.n]:
+            if self.clock.out():
+                return
+            route = routes.segments(column)
+            if self.incumbent.timed(route) and self.m == 1:
+                self.incumbent.offer([route])
+        self.search.recombine()
+
+    def settle(self, sets, routes):
+        """Settle the competing sets of targets by timing their sequences."""
+
+        def settle_set(columns):
+            sequences = routes.sequences(columns, self.parameters.few_sequences)
+            if sequences is None:
+                return None
+            found = []
+            for route in sequences:
+                if self.clock.out():
+                    return None
+                if timed := self.incumbent.timed(route):
+                    found.append(timed[2])
+                    if self.m == 1:
+                        self.incumbent.offer([route])
+            return min(found, default=np.inf)
+
+        def on_bound(bound):
+            self.raise_bound(bound)
+            self.search.recombine()
+            self.search.report("settle")
+
+        done = settle(
+            sets, self.generation.fleet, lambda: self.limit, self.search.unit, settle_set, on_bound, self.clock
+        )  # fmt: skip
+        self.search.recombine()
+        self.exhausted = done and not self.over()
+
+    def refine(self, routes=None):
+        """Cut what is left into shorter pieces, with the incumbent's visit times in the middle of theirs."""
+        p, network = self.parameters, self.generation.network
+        if routes is not None:
+            used = routes.used_arcs(network.arcs)
+            network = restricted(network, used, *routes.used_ends())
+        before, self.width = self.width, self.width / (p.finer_after_routes if routes is not None else p.finer)
+        if self.width < p.thinnest * self.search.graph.horizon:  # thinner pieces drown in rounding errors
+            self.exhausted = True
+            return
+        if not len(network.starts):  # nothing is left below the limit
+            self.raise_bound(self.limit)
+            return
+        length = (network.pieces.b - network.pieces.a).sum()
+        shortest = length / max(self.most_pieces - len(network.starts), 1)
+        if shortest > 0.9 * before:  # there is no room for shorter pieces: make some
+            self.most_pieces *= 2
+            shortest = length / max(self.most_pieces - len(network.starts), 1)
+        self.width = max(self.width, shortest)
+        if len(network.arcs.head) * (before / self.width) ** 2 > p.most_arcs:  # no memory for that
+            self.exhausted = True
+            return
+        self.finer_from = self.bound
+        network = refined(network, self.search.graph, self.width, self.incumbent.visit_times(), range(self.n))
+        self.generation.moved(network)
+        self.means, self.first, self.fewer_arcs = 0, True, np.inf
