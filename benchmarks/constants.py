@@ -42,7 +42,7 @@ VARIED = {
     "piece": (0.2, 0.7),
     "pieces_each": (4, 16),
     "first_pieces": (200, 5000),
-    "annealing": (0.0, 0.4),
+    "annealing": (0.1, 0.5),
     "annealing_later": (0.0, 1.0),
     "grid": (12, 48),
     "grid_slacks": ((0.5,), (1.0,)),
