@@ -28,9 +28,9 @@ class Graph:
     velocities. tau: (|V|,) the target of each segment, -1 for s and s'. edges: (|E|, 2) pairs (i, j).
     horizon: T; size: the diagonal of depots, ends and paths; R: the baseline's big-M, the instance's own or `size`.
 
-    Of K layers, one after the other, and their agents: layer: (|V|,) the layer of each node; types: (K,) which entry of
-    `Instance.agents`; counts: (K,) how many; speeds: (K,) v_max; capacities: (K,) infinity without a limit. demands:
-    (n,). numbered: whether tours name their type, as those of an instance that is not `plain` do.
+    There are K layers, one after the other, each of a type of agents. layer: (|V|,) the layer of each node; types: (K,)
+    which entry of `Instance.agents`; counts: (K,) how many; speeds: (K,) v_max; capacities: (K,) infinity without a
+    limit. demands: (n,). numbered: whether tours name their type, as those of an instance that is not `plain` do.
     """
 
     t_lo: np.ndarray
