@@ -14,7 +14,7 @@ import numpy as np
 
 from .instance import Instance
 from .motion import TIME_SLACK
-from .validation import InputError, number, of_type, whole
+from .validation import InputError, of_type, whole
 
 #: relative slack within which a sum of demands is no more than a capacity
 LOAD_SLACK = 1e-9
@@ -111,7 +111,7 @@ class Graph:
     def position(self, i: int, t: float) -> np.ndarray:
         """Return the position (2,) of node i at time t."""
         whole("i", i, 0)
-        return self.p_lo[i] + (number("t", t) - self.t_lo[i]) * self.v[i]
+        return self.p_lo[i] + (t - self.t_lo[i]) * self.v[i]
 
 
 def build_graph(instance: Instance, prune: bool = False, by_agent: bool = False) -> Graph:
