@@ -50,9 +50,13 @@ def tours_of(row):
     0.0
     """
     try:
-        tours = json.loads(row["tours"] or "[]")
-    except (IndexError, KeyError, TypeError, ValueError):
-        raise InputError(f"row: expected a row of a results file, with tours in JSON, found {brief(row)}") from None
+        text = row["tours"] or "[]"
+    except (IndexError, KeyError, TypeError):
+        raise InputError(f"row: expected a row of a results file, found {brief(row)}") from None
+    try:
+        tours = json.loads(text)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"row.tours: not JSON: {error}") from None
     if not isinstance(tours, list):
         raise InputError(f"row.tours: expected a list of tours, found {brief(tours)}")
     return tuple(Tour.from_dict(tour, f"row.tours[{k}]") for k, tour in enumerate(tours))
