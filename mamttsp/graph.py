@@ -31,6 +31,11 @@ class Graph:
     There are K layers, one after the other, each of a type of agents. layer: (|V|,) the layer of each node; types: (K,)
     which entry of `Instance.agents`; counts: (K,) how many; speeds: (K,) v_max; capacities: (K,) infinity without a
     limit. demands: (n,). numbered: whether tours name their type, as those of an instance that is not `plain` do.
+
+    >>> from mamttsp import build_graph, generate
+    >>> graph = build_graph(generate(n_targets=3, total_window=20, seed=1))
+    >>> graph.n_layers, graph.n_targets, graph.max_speed
+    (1, 3, 4.0)
     """
 
     t_lo: np.ndarray

@@ -30,6 +30,12 @@ def read_rows(path):
     """Return the rows of a results file as dicts of texts; a last line that was cut off is no row.
 
     InputError: no such file, or not the columns of this version.
+
+    >>> from mamttsp.experiments import read_rows
+    >>> read_rows("nowhere.csv")
+    Traceback (most recent call last):
+        ...
+    mamttsp.validation.InputError: nowhere.csv: cannot be read: No such file or directory
     """
     file_path("path", path)
     try:
@@ -66,6 +72,15 @@ def summary(runs, path):
     """Return how many of the runs have a row, and how many of those end in each status, as one line.
 
     runs: a list of Run; path: of the results file. InputError: no such runs, no such file.
+
+    >>> import pathlib, tempfile
+    >>> from mamttsp.experiments import profile, summary
+    >>> from mamttsp.experiments.campaigns.rows import COLUMNS, line_of
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = pathlib.Path(folder, "rows.csv")
+    ...     _ = path.write_bytes(line_of(COLUMNS))
+    ...     summary(profile("smoke"), path)
+    '0 of 10 runs: '
     """
     runs = listed("runs", runs, Run)
     wanted = {key_of(dataclasses.asdict(run)) for run in runs}
