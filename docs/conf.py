@@ -7,7 +7,8 @@ from pathlib import Path
 DOCS = Path(__file__).parent
 sys.path[:0] = [str(DOCS), str(DOCS.parent / "benchmarks")]
 
-import gather  # noqa: E402  (its folder is on the path only now)
+import argument_lists  # noqa: E402  (its folder is on the path only now)
+import gather  # noqa: E402
 import glossary_titles  # noqa: E402
 import made  # noqa: E402
 import notebook_pages  # noqa: E402
@@ -73,6 +74,7 @@ def plain_bars(app, what, name, obj, options, lines):
 
 def setup(app):
     app.connect("doctree-resolved", glossary_titles.add)
+    app.connect("autodoc-process-docstring", argument_lists.add)
     app.connect("autodoc-process-docstring", plain_bars)
     app.connect("builder-inited", gather.gather)
     app.connect("source-read", notebook_pages.prepare)

@@ -47,7 +47,7 @@ def generate(
     side: S, the square is centred at (0, 0), the depot unless agents say otherwise; horizon: T in s; max_speed: v_max;
     target_speed: the range from which each target's constant speed is drawn, in units/s.
 
-    Open in the paper, chosen here:
+    From n_pieces on, arguments are what the paper leaves open, chosen here.
     n_pieces: straight pieces of each trajectory; their durations are drawn between once and twice a common
     length, headings uniformly among those that stay inside the square.
     nearest: the tour that the windows come from goes on to a random one of so many targets, those that it can meet

@@ -14,7 +14,7 @@ import numpy as np
 
 from .instance import Instance
 from .motion import TIME_SLACK
-from .validation import InputError, number, of_type, whole
+from .validation import InputError, of_type, whole
 
 #: relative slack within which a sum of demands is no more than a capacity
 LOAD_SLACK = 1e-9
@@ -28,9 +28,14 @@ class Graph:
     velocities. tau: (|V|,) the target of each segment, -1 for s and s'. edges: (|E|, 2) pairs (i, j).
     horizon: T; size: the diagonal of depots, ends and paths; R: the baseline's big-M, the instance's own or `size`.
 
-    Of K layers, one after the other, and their agents: layer: (|V|,) the layer of each node; types: (K,) which entry of
-    `Instance.agents`; counts: (K,) how many; speeds: (K,) v_max; capacities: (K,) infinity without a limit. demands:
-    (n,). numbered: whether tours name their type, as those of an instance that is not `plain` do.
+    There are K layers, one after the other, each of a type of agents. layer: (|V|,) the layer of each node; types: (K,)
+    which entry of `Instance.agents`; counts: (K,) how many; speeds: (K,) v_max; capacities: (K,) infinity without a
+    limit. demands: (n,). numbered: whether tours name their type, as those of an instance that is not `plain` do.
+
+    >>> from mamttsp import build_graph, generate
+    >>> graph = build_graph(generate(n_targets=3, total_window=20, seed=1))
+    >>> graph.n_layers, graph.n_targets, graph.max_speed
+    (1, 3, 4.0)
     """
 
     t_lo: np.ndarray
@@ -111,7 +116,7 @@ class Graph:
     def position(self, i: int, t: float) -> np.ndarray:
         """Return the position (2,) of node i at time t."""
         whole("i", i, 0)
-        return self.p_lo[i] + (number("t", t) - self.t_lo[i]) * self.v[i]
+        return self.p_lo[i] + (t - self.t_lo[i]) * self.v[i]
 
 
 def build_graph(instance: Instance, prune: bool = False, by_agent: bool = False) -> Graph:

@@ -28,8 +28,9 @@ def load(name: str, n_agents: int | None = None, folder: str | os.PathLike[str] 
     """Return the instance of the library with a short name, such as "n20-i03-w40".
 
     The name says the number of targets, the number of the instance and the total window in s, after the series if it is
-    not the paper's: "crowded-", "loose-", "scale-", "types-" or "loads-". Files of one type of agents hold one agent:
-    n_agents is for more, as is a name that ends in "-m3". InputError: no such name, or no file in the folder.
+    not the paper's: "crowded-", "loose-", "scale-", "types-" or "loads-". Files of one type of agents hold one agent.
+    n_agents: for more, as is a name that ends in "-m3"; folder: of the files. InputError: no such
+    name, or no file in the folder.
 
     >>> import mamttsp
     >>> mamttsp.load("n20-i03-w40", n_agents=3) == mamttsp.paper_instance(20, 3, 40, 3)

@@ -47,8 +47,9 @@ def plot(
 ) -> "Axes":
     """Draw an instance from above, with the tours of a solution if there is one, and return the axes.
 
-    solution: a Solution, or tours; unit: of lengths, as the axes name it, such as "km". `mamttsp.figures` has more
-    drawings, and `figures.save` to write one to a file. InputError: not an Instance, no tours, or no axes.
+    `mamttsp.figures` has more drawings, and `figures.save` to write one to a file. solution: a Solution, or tours; ax:
+    axes to draw on, None for a new figure; unit: of lengths, as the axes name it, such as "km". InputError: not an
+    Instance, no tours, or no axes.
 
     >>> import mamttsp
     >>> ax = mamttsp.plot(mamttsp.generate(n_targets=3, total_window=20, seed=1))

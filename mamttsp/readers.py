@@ -23,6 +23,15 @@ def read_linear_motions(targets: str | Path, agent: str | Path, n_agents: int = 
 
     A `radius` of a target is left out: there an agent that comes so near has met it, here it has to be at the target,
     so that optima here are longer. InputError: a file that cannot be read, a field that is missing or wrong.
+
+    >>> import pathlib, tempfile
+    >>> from mamttsp.readers import read_linear_motions
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     targets, agent = pathlib.Path(folder, "targets.json"), pathlib.Path(folder, "agent.toml")
+    ...     _ = targets.write_text('{"a": {"px": 30, "py": 0, "vx": 0, "vy": 0.5, "tmin": 10, "tmax": 30}}')
+    ...     _ = agent.write_text("depot = {px = 0, py = 0}\\nparam = {T = 100, vmax = 4}")
+    ...     read_linear_motions(targets, agent).targets[0].position(20).tolist()
+    [30.0, 10.0]
     """
     fleet = _read_toml(file_path("agent", agent))
     for section, *fields in (("depot", "px", "py"), ("param", "T", "vmax")):
@@ -51,6 +60,12 @@ def read_solomon(path: str | Path, ignore_service: bool = False, n_agents: int |
     keeps a window by a rounded distance may miss it here, and the other way round. Service takes no time here: with
     service times a file is refused, or with `ignore_service` read without them, which is another problem.
     InputError: a file that cannot be read, service times, or vrplib is not installed.
+
+    >>> from mamttsp.readers import read_solomon
+    >>> read_solomon("nowhere.txt")
+    Traceback (most recent call last):
+        ...
+    mamttsp.validation.InputError: nowhere.txt: cannot be read: No such file or directory
     """
     data = _read_vrplib(path)
     if np.any(data["service_time"]) and not ignore_service:

@@ -34,12 +34,12 @@ def solve(
     """Return a Solution of the instance, its tours checked.
 
     method: "exact" (our own solver), "micp", "baseline" or "nonconvex" (the paper's formulations).
-    modeler: "pyomo" or "cvxpy", and solver: one of backends.SOLVERS, for a formulation; None takes the fastest open
-    one. time_limit: s of wall time, None for none. Building the model counts; compiling what a method needs, once on
-    a machine, does not. gap: relative gap, as a fraction, that counts as optimal: what a solver has searched to the end
-    may still be "feasible" if its accuracy (about 1e-5) does not prove a smaller one. threads, seed, verbose: handed to
-    the solver; progress: called with an options.Progress now and then (options.Options says which solvers do without).
-    prune: leave out the edges that no agent can fly in time (the exact method always does).
+    modeler: "pyomo" or "cvxpy", for a formulation; solver: one of backends.SOLVERS, for a formulation; None takes the
+    fastest open one. time_limit: s of wall time, None for none. Building the model counts; compiling what a method
+    needs, once on a machine, does not. gap: relative gap, as a fraction, that counts as optimal: what a solver has
+    searched to the end may still be "feasible" if its accuracy (about 1e-5) does not prove a smaller one. threads,
+    seed, verbose: handed to the solver; progress: called with an options.Progress now and then (options.Options says
+    which solvers do without). prune: leave out the edges that no agent can fly in time (the exact method always does).
 
     subtour_cuts: cut off the cycles that a formulation accepts and nobody flies, and solve again until none is left.
     With False the paper's model is solved once as it stands, and the answer is a PaperSolution.

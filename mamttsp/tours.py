@@ -138,8 +138,10 @@ def check(instance: Instance, tours: Iterable[Tour] | HasTours, tolerance: float
     Independent of every formulation and solver: each target exactly once, inside one of its windows, on its path;
     each tour from the depot of its agent's type, no hop faster than that type's max_speed, at the type's end by the
     horizon, with no more demand than its capacity; of no type more tours than agents. A tour without visits is an agent
-    that stays at its depot. Lengths may be off by `tolerance` x the instance's size (the diagonal of depots, ends and
-    paths), times by `tolerance` x the horizon, demands by `tolerance` x the capacity.
+    that stays at its depot.
+
+    tolerance: by how much lengths may be off, as a part of the instance's size (the diagonal of depots, ends and
+    paths), times as one of the horizon, demands as one of the capacity.
 
     >>> from mamttsp import Instance, Target, Tour, Visit, check
     >>> target = Target(times=[0, 10], points=[[3, 4], [3, 4]], windows=[[2, 8]])

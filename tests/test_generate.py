@@ -190,7 +190,7 @@ def fingerprint(instance):
         ({"nearest": 0}, "nearest"),
         ({"nearest": 1.5}, "nearest"),
         ({"agents": []}, "agents"),
-        ({"agents": [4.0]}, "agents"),
+        ({"agents": [4.0]}, r"agents\[0\]"),
         ({"agents": TYPES, "n_agents": 2}, "agents"),
         ({"agents": TYPES, "max_speed": 5.0}, "agents"),
         ({"agents": TYPES, "target_speed": (1.0, 3.0)}, "target_speed"),  # as fast as the first type

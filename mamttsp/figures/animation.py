@@ -31,6 +31,11 @@ def moment_view(instance, tours, time, ax=None, unit="units"):
     is visited. Thick and yellow are the parts of the path in open windows. Agents move at constant speed on each leg.
     tours: a Solution, or a sequence of Tour; unit: of lengths, as the axes name it, such as "km". InputError: not an
     Instance, no tours, a time that is no number, or no axes.
+
+    >>> from mamttsp import generate
+    >>> from mamttsp.figures import moment_view
+    >>> moment_view(generate(n_targets=3, total_window=20, seed=1), tours=[], time=10).get_title()
+    '10 s: 0 of 3 targets visited'
     """
     of_type("instance", instance, Instance)
     tours, time = as_tours(tours), number("time", time)

@@ -17,6 +17,13 @@ def reach_view(instance, place, time, meetings=(), ax=None):
 
     For targets on the line y = 0: the agent's cone is grey, `meetings`, rows (x, t), are dots. InputError: not an
     Instance, a place or time that is no number, meetings that are no such rows, or no axes.
+
+    >>> from mamttsp import Instance
+    >>> from mamttsp.figures import reach_view
+    >>> fleet = {"n_agents": 1, "depot": (0, 0), "max_speed": 4}
+    >>> road = Instance.from_arrays(p=[[10, 0]], v=[[0.5, 0]], windows=[(5, 15)], horizon=20, **fleet)
+    >>> reach_view(road, place=0.0, time=0.0, meetings=[(12.5, 5.0)]).get_ylabel()
+    'time (s)'
     """
     of_type("instance", instance, Instance)
     place, time = number("place", place), number("time", time)
@@ -47,6 +54,12 @@ def graph_view(graph, route=(), ax=None):
     s is at the left, s' at the right, a column between them holds the segments of one target, early ones below; edges
     are thin and grey, those of `route` (nodes of V_seg in order) thick and blue. InputError: not a Graph, a route of
     something else than nodes, or no axes.
+
+    >>> from mamttsp import build_graph, generate
+    >>> from mamttsp.figures import graph_view
+    >>> ax = graph_view(build_graph(generate(n_targets=3, total_window=20, seed=1)))
+    >>> [text.get_text() for text in ax.texts if "target" in text.get_text()]
+    ['target 0', 'target 1', 'target 2']
     """
     of_type("graph", graph, Graph)
     route = [whole("route", node, 0) for node in listed("route", route, object)]

@@ -54,6 +54,11 @@ def space_time_view(instance, tours=(), ax=None, unit="units"):
     A target's path is a line that rises as time goes on; a visit is where an agent's line touches it, inside a window.
     tours: a Solution, or a sequence of Tour. Each is drawn at constant speed on each leg; dotted upright lines are
     depots and ends. Colours, numbers and unit as in plan_view. InputError: not an Instance, no tours, or no such axes.
+
+    >>> from mamttsp import generate
+    >>> from mamttsp.figures import space_time_view
+    >>> space_time_view(generate(n_targets=3, total_window=20, seed=1)).get_zlabel()
+    'time (s)'
     """
     of_type("instance", instance, Instance)
     tours = as_tours(tours)

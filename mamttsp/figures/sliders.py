@@ -9,6 +9,10 @@ def explore(draw, **sliders):
     sliders: name=(lowest, highest, step, start). Where no person is at the kernel, as in a batch run, it is called once
     with the start values: a saved notebook holds that picture, and no widget that would need a kernel. Needs ipywidgets
     only where somebody is there. InputError: `draw` cannot be called, or a slider is not of four numbers.
+
+    >>> from mamttsp.figures import explore
+    >>> explore(lambda time: print(f"{time} s"), time=(0.0, 150.0, 0.5, 60.0))
+    60.0 s
     """
     if not callable(draw):
         raise InputError(f"draw: expected a function of the sliders' values, found {brief(draw)}")

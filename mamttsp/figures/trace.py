@@ -16,6 +16,13 @@ def trace_view(steps, against="time", ax=None):
     steps: the Progress reports in order, e.g. a `display.Trace`; against: "time", s, or "report", their number, which
     is the same on every machine; below it is the phase, where one begins. InputError: no such reports, another
     `against`, or no axes.
+
+    >>> from mamttsp import generate, solve
+    >>> from mamttsp.figures import trace_view
+    >>> steps = []
+    >>> solution = solve(generate(n_targets=3, total_window=20, seed=1), progress=steps.append)
+    >>> trace_view(steps).get_ylabel()
+    'length (units)'
     """
     steps = listed("steps", steps, Progress)
     if against not in _AXES:

@@ -3,6 +3,7 @@
 import ast
 import builtins
 import contextlib
+import functools
 import io
 import re
 import symtable
@@ -24,6 +25,7 @@ HEAD = re.compile(
 of_each_sheet = pytest.mark.parametrize("path", SHEETS, ids=lambda path: path.stem)
 
 
+@functools.cache  # hundreds of tests look, none changes anything
 def read(path):
     return nbformat.read(path, as_version=4).cells
 

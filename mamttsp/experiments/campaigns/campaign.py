@@ -32,6 +32,14 @@ def campaign(runs, path, jobs=None, memory_limit=MEMORY_LIMIT, quiet=False, comm
 
     InputError: a bad argument, a solver that is not installed, a file that is not ours or cannot be written, or a
     cluster that is not there.
+
+    >>> import tempfile
+    >>> from mamttsp.experiments import campaign, profile, read_rows
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     left = campaign(profile("smoke")[1:2], f"{folder}/rows.csv", quiet=True)
+    ...     (row,) = read_rows(f"{folder}/rows.csv")
+    >>> left, row["method"], row["status"]
+    ([], 'micp', 'optimal')
     """
     runs, path = listed("runs", runs, Run), file_path("path", path)
     rows_of = _in_processes(jobs) if scheduler is None else _on_cluster(scheduler, jobs)

@@ -30,6 +30,12 @@ def read_rows(path):
     """Return the rows of a results file as dicts of texts; a last line that was cut off is no row.
 
     InputError: no such file, or not the columns of this version.
+
+    >>> from mamttsp.experiments import read_rows
+    >>> read_rows("nowhere.csv")
+    Traceback (most recent call last):
+        ...
+    mamttsp.validation.InputError: nowhere.csv: cannot be read: No such file or directory
     """
     file_path("path", path)
     try:
@@ -50,9 +56,13 @@ def tours_of(row):
     0.0
     """
     try:
-        tours = json.loads(row["tours"] or "[]")
-    except (IndexError, KeyError, TypeError, ValueError):
-        raise InputError(f"row: expected a row of a results file, with tours in JSON, found {brief(row)}") from None
+        text = row["tours"] or "[]"
+    except (IndexError, KeyError, TypeError):
+        raise InputError(f"row: expected a row of a results file, found {brief(row)}") from None
+    try:
+        tours = json.loads(text)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"row.tours: not JSON: {error}") from None
     if not isinstance(tours, list):
         raise InputError(f"row.tours: expected a list of tours, found {brief(tours)}")
     return tuple(Tour.from_dict(tour, f"row.tours[{k}]") for k, tour in enumerate(tours))
@@ -62,6 +72,15 @@ def summary(runs, path):
     """Return how many of the runs have a row, and how many of those end in each status, as one line.
 
     runs: a list of Run; path: of the results file. InputError: no such runs, no such file.
+
+    >>> import pathlib, tempfile
+    >>> from mamttsp.experiments import profile, summary
+    >>> from mamttsp.experiments.campaigns.rows import COLUMNS, line_of
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = pathlib.Path(folder, "rows.csv")
+    ...     _ = path.write_bytes(line_of(COLUMNS))
+    ...     summary(profile("smoke"), path)
+    '0 of 10 runs: '
     """
     runs = listed("runs", runs, Run)
     wanted = {key_of(dataclasses.asdict(run)) for run in runs}
