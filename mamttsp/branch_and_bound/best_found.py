@@ -7,6 +7,7 @@ import numpy as np
 from ..flow import read_flow
 from ..formulations.points import routes_of
 from ..timing import best_tours
+from .beam import beam_routes
 from .loads import enough_agents, fits
 from .rounding import round_flow
 
@@ -26,6 +27,11 @@ class BestFound:
     def near(self, y, alive):
         """Try tours near the flow y (|E|,) on the edges in `alive`."""
         self._take(round_flow(self.graph, y, alive, self.counts))
+
+    def along(self, extra, alive, times):
+        """Try tours along the edges that add least to a bound, `extra` (|E|,) each, with the times of `propagate`."""
+        for routes in beam_routes(self.graph, extra, alive, times, self.counts):
+            self._take(routes)
 
     def on(self, alive):
         """Try the tours that fly every edge in `alive`, which must be paths and cycles through all targets."""

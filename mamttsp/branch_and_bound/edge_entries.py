@@ -46,6 +46,17 @@ class Entries:
         owner = np.where(kind == _ALPHA, owner, place[owner % len(alive)])
         return Entries(self.n_rows, row, kind, owner, self.value[held])
 
+    def with_rows_of_flow(self, alive, number, row, edge, value):
+        """Return the entries, on the edges in `alive`, with so many rows more, of y alone; row: from 0 on."""
+        place = np.cumsum(alive) - 1
+        return Entries(
+            self.n_rows + number,
+            np.concatenate([self.row, self.n_rows + row]),
+            np.concatenate([self.kind, np.full(len(row), _Y)]),
+            np.concatenate([self.owner, place[edge]]),
+            np.concatenate([self.value, value]),
+        )
+
     def matrix(self, core, cones, K, R, lo, width):
         """Return (A, number): the rows `core` and `cones` of the program, with the signs, so many, between them.
 

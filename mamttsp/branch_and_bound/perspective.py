@@ -15,6 +15,7 @@ from ..conic_solver import claims_infeasible, dual_point, minimise
 from .edge_entries import Entries
 from .edge_rows import INTERVALS, EdgeRows, without_positions
 from .loads import load_limits
+from .successions import Successions
 
 #: least width of an interval of time, as a fraction of the horizon, so that the relaxation has an interior
 _MIN_WIDTH = 1e-7
@@ -43,6 +44,7 @@ class Perspective:
         self.R = graph.size or 1.0
         self.names = [name for name in INTERVALS if name in program.columns]
         self.K = len(counts)  # columns of alpha, the first ones
+        self.successions = Successions(graph)
         self._take(without_positions(program))
 
     def add_cuts(self, cuts):
@@ -56,26 +58,32 @@ class Perspective:
         """Solve the relaxation on the edges in `alive` (|E|,) with their times (|E|, 4) and return a NodeRelaxation."""
         e = np.flatnonzero(alive)
         lo, width = self._intervals(e, times[e])
-        entries, b = self.entries.on(alive), self.program.b
+        n_more, *more = self.successions.rows(alive, times)
+        entries = self.entries.on(alive).with_rows_of_flow(alive, n_more, *more)
+        b = np.concatenate([self.program.b, np.zeros(n_more)])
         used = np.zeros(len(b), dtype=bool)
         used[entries.row] = True
         zero, nonneg, cone = self._rows(e, times[e])
         if (b[zero[~used[zero]]] != 0).any() or (b[nonneg[~used[nonneg]]] < 0).any():
             return NodeRelaxation(math.inf, np.zeros(len(alive)), np.zeros(len(alive)))  # 0 = 1, say
+        nonneg = np.concatenate([nonneg, len(self.program.b) + np.arange(n_more)])
         zero, nonneg = zero[used[zero]], nonneg[used[nonneg]]
         A, n_signs = entries.matrix(np.concatenate([zero, nonneg]), cone, self.K, self.R, lo, width)
         b = np.concatenate([b[zero], b[nonneg], np.zeros(n_signs), b[cone]])
-        return self._solve(e, A, b, (len(zero), len(nonneg)), n_signs, width > 0, time_limit)
+        return self._solve(alive, A, b, (len(zero), len(nonneg), n_more), n_signs, width > 0, time_limit)
 
-    def _solve(self, e, A, b, size, n_signs, wide, time_limit):
-        """Minimise the sum of l over the rows (A, b): size = (zero, nonneg), then the signs, then the cones."""
-        n, K, core = len(e), self.K, sum(size)
+    def _solve(self, alive, A, b, size, n_signs, wide, time_limit):
+        """Minimise the sum of l over the rows (A, b): size = (zero, nonneg, how many of these are successions' rows),
+        then the signs, then the cones."""
+        e, (n_zero, n_nonneg, n_more) = np.flatnonzero(alive), size
+        n, K, core = len(e), self.K, n_zero + n_nonneg
         c = np.zeros(A.shape[1])
         c[K + n : K + 2 * n] = 1.0
-        size = size[0], size[1] + n_signs
+        size = n_zero, n_nonneg + n_signs
         answer = minimise(c, A, b, *size, self.threads, time_limit, refined=False)
         z = dual_point(answer, *size)
         z[core : core + n_signs] = 0.0
+        self.successions.weigh(alive, z[core - n_more : core])
         flow, extra = np.zeros(len(self.graph.edges)), np.zeros(len(self.graph.edges))
         flow[e] = np.nan_to_num(answer.x[K : K + n])
         if claims_infeasible(answer) and self._proved(0 * c, A, b, z, wide)[0] > _ROUNDING * np.abs(b * z).sum():

@@ -31,6 +31,7 @@ class TreeSearch:
         self.start = time.perf_counter()
         self.options, self.graph, self.counts = options, formulation.graph, formulation.counts
         self.relaxation = Perspective(formulation.conic_program().relaxed(), self.graph, self.counts, options.threads)
+        self.alone = self.counts.sum() == 1
         self.costs = PseudoCosts(self.graph)
         self.heap, self.order = [], itertools.count()
         self.current = 0.0  # bound of the node at hand; 0 is a bound of every length
@@ -104,24 +105,28 @@ class TreeSearch:
     def _process(self, bound, alive):
         """Return (bound, alive, y) of a node with less left to it, or None if nothing better than the incumbent is."""
         while True:
-            possible = propagate(self.graph, alive)
+            possible = propagate(self.graph, alive, self.alone)
             if possible is None:
                 return None
             alive, times = possible
             relaxed = self.relaxation.relax(alive, times, self._time_left())
             self.nodes += 1
             bound = max(bound, relaxed.bound)
-            if bound >= self.cutoff or not self._cut_subtours(relaxed.y) or self._time_left() <= 0:
+            if bound >= self.cutoff:
+                self.closed = min(self.closed, bound)
+                return None
+            # Worth less than a relaxation more: the children are the first to keep to it.
+            self.relaxation.successions.demand(relaxed.y, alive, times)
+            if not self._cut_subtours(relaxed.y) or self._time_left() <= 0:
                 break
-        if bound >= self.cutoff:
-            self.closed = min(self.closed, bound)
-            return None
+        if self.best.flow is None and self._time_left() > 0:
+            self.best.along(relaxed.extra, alive, times)
         self.best.near(relaxed.y, alive)
         return bound, self._without_dear_edges(bound, alive, relaxed.extra), relaxed.y
 
     def _finish(self, alive):
         """Try the one choice of edges that a node has left."""
-        if (possible := propagate(self.graph, alive)) is not None:
+        if (possible := propagate(self.graph, alive, self.alone)) is not None:
             self.best.on(possible[0])
 
     def _cut_subtours(self, y):

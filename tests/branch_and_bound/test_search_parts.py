@@ -6,16 +6,20 @@ import numpy as np
 import pytest
 
 from mamttsp import build_graph, generate
+from mamttsp.branch_and_bound.beam import beam_routes
 from mamttsp.branch_and_bound.branching import branch
+from mamttsp.branch_and_bound.loads import enough_agents, fits
 from mamttsp.branch_and_bound.perspective import Perspective
 from mamttsp.branch_and_bound.propagation import propagate
 from mamttsp.branch_and_bound.pseudo_costs import FLOWN, NOT_FLOWN, PseudoCosts
 from mamttsp.branch_and_bound.rounding import round_flow
 from mamttsp.branch_and_bound.separation import depot_cuts, violated_sets
+from mamttsp.branch_and_bound.successions import AFTER, BEFORE, neighbours
 from mamttsp.flow import read_flow
 from mamttsp.formulations import build_formulation
-from mamttsp.timing import best_times, earliest_times
-from tests.examples import instance, still
+from mamttsp.timing import best_times, best_tours, earliest_times
+from tests.examples import agents, general, instance, still
+from tests.oracle import optimum
 
 INSTANCES = [generate(3, 60, 2, seed=3), generate(4, 40, 1, seed=2), generate(4, 20, 2, seed=5)]
 
@@ -57,6 +61,24 @@ def test_propagation_keeps_every_route_and_its_times(problem):
             leave, arrive = np.array([0.0, *visits]), np.array([*visits, graph.horizon])
             assert (times[edges, 0] <= leave + 1e-6).all() and (leave <= times[edges, 1] + 1e-6).all()
             assert (times[edges, 2] <= arrive + 1e-6).all() and (arrive <= times[edges, 3] + 1e-6).all()
+
+
+@pytest.mark.parametrize("problem", INSTANCES)
+def test_an_only_agent_keeps_its_routes(problem):
+    graph = build_graph(problem)
+    several, _ = propagate(graph, np.ones(len(graph.edges), dtype=bool))
+    alive, _ = propagate(graph, np.ones(len(graph.edges), dtype=bool), alone=True)
+    assert (alive <= several).all() and alive.sum() < several.sum()
+    assert all(alive[_edges_of(graph, route)].all() for route in _routes(graph))
+
+
+def test_an_only_agent_misses_no_target():
+    """Two parked targets, of which the first closes before the second opens."""
+    graph = build_graph(instance(still(5, 0, ((2.0, 4.0),)), still(0, 5, ((20.0, 30.0),))))
+    everything = np.ones(len(graph.edges), dtype=bool)
+    s, s_prime = graph.s, graph.s_prime
+    assert {(s, 2), (1, s_prime)} <= set(map(tuple, graph.edges[propagate(graph, everything)[0]].tolist()))
+    assert graph.edges[propagate(graph, everything, alone=True)[0]].tolist() == [[s, 1], [1, 2], [2, s_prime]]
 
 
 def test_propagation_along_one_route_starts_at_its_earliest_times():
@@ -113,6 +135,37 @@ def test_no_route_is_shorter_than_the_bound_with_what_its_edges_add(problem):
     for route in _routes(graph):
         length = best_times(graph, list(route))[0]
         assert relaxed.bound + relaxed.extra[_edges_of(graph, route)].max() <= length * (1 + 1e-8)
+
+
+@pytest.mark.parametrize("problem", INSTANCES)
+def test_what_follows_an_edge_is_what_routes_fly(problem):
+    graph = build_graph(problem)
+    alive, times = propagate(graph, np.ones(len(graph.edges), dtype=bool))
+    tail, head = graph.edges.T
+    edges = np.arange(len(alive))
+    after, before = (neighbours(graph, edges, side, alive, times) for side in (AFTER, BEFORE))
+    joined = (head[:, None] == tail) & alive
+    assert (after <= joined).all() and 0 < after[alive].sum() < joined[alive].sum()
+    assert (after[np.ix_(alive, alive)] == before[np.ix_(alive, alive)].T).all()
+    for route in _routes(graph):
+        own = _edges_of(graph, route)
+        assert after[own[:-1], own[1:]].all()
+
+
+@pytest.mark.parametrize("problem", [generate(4, 60, 2, 1), generate(3, 60, 2, 3), generate(4, 40, 1, 5)])
+def test_demands_on_two_edges_in_a_row_raise_the_bound_and_cut_off_no_route(problem):
+    graph, relaxation = _relaxation(problem)
+    alive, times = propagate(graph, np.ones(len(graph.edges), dtype=bool))
+    relaxed = relaxation.relax(alive, times)
+    assert relaxation.successions.demand(relaxed.y, alive, times)
+    number, row, edge, value = relaxation.successions.rows(alive, times)
+    assert np.bincount(row, value * relaxed.y[edge], minlength=number).min() > 0.02 - 1e-9
+    for route in _routes(graph):
+        y = _only(graph, _edges_of(graph, route)).astype(float)
+        assert not relaxation.successions.demand(y, alive, times)
+        assert np.bincount(row, value * y[edge], minlength=number).max() <= 0.0
+    again = relaxation.relax(alive, times).bound
+    assert relaxed.bound < again <= min(best_times(graph, list(route))[0] for route in _routes(graph)) * (1 + 1e-8)
 
 
 @pytest.mark.parametrize("problem", INSTANCES)
@@ -216,3 +269,39 @@ def test_rounding_makes_no_more_routes_than_agents():
         assert routes is None or len(routes) <= m
         assert routes is None or sorted(graph.tau[list(itertools.chain(*routes))]) == list(range(6))
     assert routes is not None and all(earliest_times(graph, route) is not None for route in routes)
+
+
+@pytest.mark.parametrize("n, window, m, seed", [(4, 20, 1, 3), (4, 60, 2, 1), (6, 40, 1, 1), (6, 40, 3, 1)])
+def test_first_tours_are_near_the_optimum(n, window, m, seed):
+    problem = generate(n, window, m, seed)
+    graph, relaxation = _relaxation(problem)
+    alive, times = propagate(graph, np.ones(len(graph.edges), dtype=bool))
+    found = beam_routes(graph, relaxation.relax(alive, times).extra, alive, times, graph.counts)
+    for routes in found:
+        assert routes == sorted(routes) and len(routes) <= m
+        assert sorted(graph.tau[list(itertools.chain(*routes))]) == list(range(n))
+        assert all(alive[_edges_of(graph, route)].all() for route in routes)
+    lengths = [best_tours(graph, list(map(list, routes)))[0] for routes in found]
+    assert optimum(problem) * (1 - 1e-9) <= min(lengths) <= optimum(problem) * 1.1
+
+
+def test_first_tours_of_unlike_agents_with_loads():
+    types = [agents(capacity=2.0), agents(depot=(20.0, 0.0), max_speed=6.0, capacity=3.0)]
+    where = [(5, 0), (10, 5), (20, 5), (15, -5)]
+    graph = build_graph(general(*(still(x, y, demand=1.0) for x, y in where), types=types))
+    alive, times = propagate(graph, np.ones(len(graph.edges), dtype=bool))
+    found = beam_routes(graph, np.zeros(len(alive)), alive, times, graph.counts)
+    assert found
+    for routes in found:
+        assert sorted(graph.tau[list(itertools.chain(*routes))]) == [0, 1, 2, 3]
+        assert enough_agents(graph, graph.counts, routes) and all(fits(graph, route) for route in routes)
+        assert {len(route) for route in routes} <= {1, 2, 3}
+
+
+def test_no_first_tours_where_there_are_none():
+    """Two targets in opposite directions at the same time, and one agent."""
+    graph = build_graph(instance(*(still(x, 0, ((10.0, 12.0),)) for x in (30, -30))))
+    alive, times = propagate(graph, np.ones(len(graph.edges), dtype=bool))
+    assert beam_routes(graph, np.zeros(len(alive)), alive, times, np.array([1])) == []
+    found = beam_routes(graph, np.zeros(len(alive)), alive, times, np.array([2]))
+    assert found and all(routes == [(1,), (2,)] for routes in found)

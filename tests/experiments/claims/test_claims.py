@@ -244,23 +244,39 @@ def test_partial_rows_count_in_pairs_and_say_so(one_sided):
     assert lines.verdict["10 and 15 targets: up to two orders of magnitude faster"] == HOLDS
 
 
-def test_longer_runs_stand_in_for_shorter_ones(one_sided, tmp_path):
-    rows, exact = one_sided
+def _longer(path, instances):
+    """Write rows of the campaign "claims" at 15 targets, 40 s, 2 agents, for the first `instances` of 5."""
     slow = {"status": "feasible", "objective": 100.0, "bound": 50.0, "gap_percent": 50.0, "runtime_s": 600.0}
     quick = {"objective": 100.0, "bound": 100.0, "gap_percent": 0.0, "runtime_s": 20.0}
     answers = [
         (route(15, index, 40, 2, method, BEST_OPEN[method], 600.0), quick if method == "micp" else slow)
-        for index in range(3)
+        for index in range(instances)
         for method in ("micp", "baseline")
     ]
-    longer = table(tmp_path / "claims_runs.csv", *answers)
+    return table(path, *answers)
+
+
+def test_longer_runs_stand_in_for_shorter_ones(one_sided, tmp_path):
+    rows, exact = one_sided
+    longer = _longer(tmp_path / "claims_runs.csv", 5)
     line = _lines(rows, exact, longer).set_index("claim").loc["15 targets, 2 agents: over 50 points less % gap"]
     assert line.ours.endswith("50 points (baseline 50 %, MICP 0 %)")
-    assert line.reason.endswith("3 of 5 pairs of rows; limit 600 s, the paper's 1800 s")
+    assert line.reason.endswith("5 of 5 pairs of rows; limit 600 s, the paper's 1800 s")
     bars = open_route_bars(rows, longer).set_index(["total_window_s", "agents", "targets", "formulation"])
     stopped, small = bars.loc[(40, 2, 15, "baseline/scip")], bars.loc[(40, 2, 5, "micp/clarabel")]
     assert (stopped.runtime_s, stopped.gap_percent, stopped.time_limit) == (600, 50, 600)
-    assert (stopped.rows, stopped.runs, small.rows, small.time_limit) == (3, 5, 1, 60)
+    assert (stopped.rows, stopped.runs, small.rows, small.time_limit) == (5, 5, 1, 60)
+
+
+@pytest.mark.parametrize("instances", [1, 4])
+def test_a_setting_that_longer_runs_have_in_part_counts_as_not_run(one_sided, tmp_path, instances):
+    rows, exact = one_sided
+    longer = _longer(tmp_path / "claims_runs.csv", instances)
+    assert open_route_bars(rows, longer).equals(open_route_bars(rows, longer.iloc[:0]))
+    line = _lines(rows, exact, longer).set_index("claim").loc["15 targets, 2 agents: over 50 points less % gap"]
+    assert line.reason.endswith("1 of 5 pairs of rows; limit 60 s, the paper's 1800 s")
+    without = open_route_bars(rows[rows.n < 15], longer)
+    assert set(without.targets) == {5, 10}
 
 
 def test_every_claim_is_there_once():
