@@ -7,7 +7,7 @@ import pytest
 
 from mamttsp.exact import ngsets
 from mamttsp.exact.column_generation import ColumnGeneration
-from mamttsp.exact.evaluation import evaluate
+from mamttsp.exact.evaluation import evaluate, refined
 from mamttsp.exact.fleet import Fleet
 from mamttsp.exact.parameters import Parameters
 from mamttsp.options import Watch
@@ -54,6 +54,21 @@ def test_at_good_prices_little_else_stays(seed, graph, fleet):
     left = generation.best.eliminated(length * (1 + 1e-7), generation.tolerance)
     _assert_flown(left, graph, routes)
     assert len(left.arcs.head) < 0.3 * len(network.arcs.head)
+
+
+@every_case
+def test_shorter_pieces_of_what_is_left_hold_it_as_well(seed, graph, fleet):
+    rng = np.random.default_rng(seed)
+    length, routes = best_solution(graph, fleet)
+    network, n = network_of(graph, 9.0), graph.n_targets
+    times = {i: t for route in routes for i, t in zip(route, best_times(graph, list(route))[1])}
+    for width in (4.0, 1.5):
+        pi, N = rng.uniform(0.6, 1.4, n) * length / n, random_sets(rng, n)
+        evaluation = evaluate(network, ngsets.as_words(N), pi, random_cuts(rng, n, 1), fleet, 0.0)
+        left = evaluation.eliminated(length * (1 + 1e-7), 0.0)
+        network = refined(left, graph, width, times, range(n))
+        _assert_flown(network, graph, routes)
+        assert (network.pieces.b - network.pieces.a).max() <= 1.6 * width
 
 
 @every_case
