@@ -12,24 +12,22 @@ from mamttsp.exact.fleet import Fleet
 from mamttsp.exact.parameters import Parameters
 from mamttsp.options import Watch
 from mamttsp.timing import best_times
-from tests.exact.networks import alike, best_solution, network_of, pieces_at, random_cuts, random_sets, small, unlike
+from tests.exact.networks import (
+    alike,
+    assert_flown,
+    best_solution,
+    network_of,
+    random_cuts,
+    random_sets,
+    small,
+    unlike,
+)
 
 CASES = [(seed, small(seed), alike(m)) for seed in range(6) for m in (1, 2, 3)]
 CASES += [(seed, graph, Fleet.of(graph)) for seed, graph in enumerate(map(unlike, range(6)))]
 every_case = pytest.mark.parametrize(
     "seed, graph, fleet", CASES, ids=[f"{seed}-{fleet.counts}" for seed, _, fleet in CASES]
 )
-
-
-def _assert_flown(network, graph, routes):
-    """The network holds pieces, arcs, starts and ends for the routes at their best times."""
-    pieces = network.pieces
-    arcs = set(zip(network.arcs.tail.tolist(), network.arcs.head.tolist()))
-    for route in routes:
-        ways = [(q,) for q in pieces_at(pieces, route[0], best_times(graph, list(route))[1][0]) if network.starts[q]]
-        for i, time in list(zip(route, best_times(graph, list(route))[1]))[1:]:
-            ways = [(*way, r) for way in ways for r in pieces_at(pieces, i, time) if (way[-1], r) in arcs]
-        assert any(network.ends[way[-1]] for way in ways), route
 
 
 @every_case
@@ -41,7 +39,7 @@ def test_at_any_prices_an_optimal_solution_stays(seed, graph, fleet):
         pi = rng.uniform(1 - share, 1 + share, n) * length / n
         cuts, N = random_cuts(rng, n, 2), random_sets(rng, n)
         evaluation = evaluate(network, ngsets.as_words(N), pi, cuts, fleet, 0.0)
-        _assert_flown(evaluation.eliminated(length * (1 + 1e-7), 0.0), graph, routes)
+        assert_flown(evaluation.eliminated(length * (1 + 1e-7), 0.0), graph, routes)
 
 
 @every_case
@@ -52,7 +50,7 @@ def test_at_good_prices_little_else_stays(seed, graph, fleet):
     with Watch() as clock:
         generation.run(length, clock, lambda evaluation: None)
     left = generation.best.eliminated(length * (1 + 1e-7), generation.tolerance)
-    _assert_flown(left, graph, routes)
+    assert_flown(left, graph, routes)
     assert len(left.arcs.head) < 0.3 * len(network.arcs.head)
 
 
@@ -67,7 +65,7 @@ def test_shorter_pieces_of_what_is_left_hold_it_as_well(seed, graph, fleet):
         evaluation = evaluate(network, ngsets.as_words(N), pi, random_cuts(rng, n, 1), fleet, 0.0)
         left = evaluation.eliminated(length * (1 + 1e-7), 0.0)
         network = refined(left, graph, width, times, range(n))
-        _assert_flown(network, graph, routes)
+        assert_flown(network, graph, routes)
         assert (network.pieces.b - network.pieces.a).max() <= 1.6 * width
 
 
@@ -82,6 +80,6 @@ def test_elimination_round_after_round_keeps_it(seed, graph, fleet):
         pi = rng.uniform(0.5, 1.5, n) * length / n
         evaluation = evaluate(network, ngsets.as_words(random_sets(rng, n)), pi, random_cuts(rng, n, 1), fleet, 0.0)
         network = evaluation.eliminated(length * (1 + 1e-7), 0.0)
-        _assert_flown(network, graph, routes)
+        assert_flown(network, graph, routes)
         sizes.append(len(network.arcs.head))
     assert all(after <= before for before, after in itertools.pairwise(sizes)) and sizes[-1] < sizes[0]

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from mamttsp import build_graph, check, generate
+from mamttsp.exact.fleet import Fleet
 from mamttsp.exact.incumbent import Incumbent
 from mamttsp.exact.standing import Standing
-from tests.exact.networks import alike, best_solution, flyable_routes, small, unlike
-from mamttsp.exact.fleet import Fleet
 from mamttsp.timing import best_times
+from tests.exact.networks import alike, best_solution, flyable_routes, small, unlike
 
 
 @pytest.fixture
@@ -80,4 +80,6 @@ def test_the_best_of_all_routes_timed_is_chosen(seed, graph, fleet):
     incumbent.recombine(range(graph.n_targets), 10.0)
     length, _ = best_solution(graph, fleet)
     assert incumbent.objective == (pytest.approx(length) if math.isfinite(length) else math.inf)
-    assert (np.bincount([graph.layer[r[0]] for r in incumbent.routes], minlength=len(fleet.counts)) <= fleet.counts).all()
+    assert (
+        np.bincount([graph.layer[r[0]] for r in incumbent.routes], minlength=len(fleet.counts)) <= fleet.counts
+    ).all()
