@@ -8,6 +8,7 @@ import highspy
 import numpy as np
 from scipy import sparse
 
+from ..silent_highs import SilentHighs
 from .cuts import separate
 
 #: HiGHS's answers hold to within its tolerances, 1e-9 of the unit for each row
@@ -137,7 +138,7 @@ def _model(members, agents, cost, fleet, limit, unit, time_limit, paid):
     lp.row_upper_ = np.r_[np.ones(n), fleet.counts, np.full(len(needed), highspy.kHighsInf), np.ones(C)]
     lp.a_matrix_.format_ = highspy.MatrixFormat.kColwise
     lp.a_matrix_.start_, lp.a_matrix_.index_, lp.a_matrix_.value_ = matrix.indptr, matrix.indices, matrix.data
-    highs = highspy.Highs()
+    highs = SilentHighs()
     for name, value in (("output_flag", False), ("threads", 1), ("random_seed", 0)):
         highs.setOptionValue(name, value)
     for name in ("primal_feasibility_tolerance", "dual_feasibility_tolerance", "mip_feasibility_tolerance"):

@@ -5,6 +5,8 @@ from typing import NamedTuple
 import highspy
 import numpy as np
 
+from ..silent_highs import SilentHighs
+
 #: most that the master pays for a route that is needed only because so many are, in units
 _NEEDED = 2.0
 #: HiGHS's number for the primal simplex method
@@ -33,7 +35,7 @@ class RestrictedMaster:
     def __init__(self, n_targets, fleet, n_cuts, unit):
         self.n, self.unit, self.fleet = n_targets, unit, fleet
         self.needed = int(fleet.least > 1)  # one route is always needed, and needs no row
-        self._highs = highs = highspy.Highs()
+        self._highs = highs = SilentHighs()
         # New columns leave a basis primal feasible; HiGHS's dual simplex was seen to go round for ever here.
         for name, value in (("output_flag", False), ("threads", 1), ("random_seed", 0), ("simplex_strategy", _PRIMAL)):
             highs.setOptionValue(name, value)

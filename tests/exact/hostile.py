@@ -1,7 +1,7 @@
 """Hostile instances of two to five targets: whatever makes bounds kinked, orders tied, times short or numbers large.
 
-A kind is a function of a random generator and n, and returns n targets within `HORIZON`; `hostile` adds agents, alike or
-of several types with capacities, and units from millimetres and milliseconds to thousands of kilometres and hours.
+A kind is a function of a random generator and n, and returns n targets within `HORIZON`; `hostile` adds agents, alike
+or of several types with capacities, and units from millimetres and milliseconds to thousands of kilometres and hours.
 """
 
 import numpy as np

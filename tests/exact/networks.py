@@ -103,6 +103,18 @@ def pieces_at(pieces, segment, time):
     return np.flatnonzero((pieces.segment == segment) & near)
 
 
+def assert_flown(network, graph, routes):
+    """The network holds pieces, arcs, starts and ends for the routes at their best times."""
+    pieces = network.pieces
+    arcs = set(zip(network.arcs.tail.tolist(), network.arcs.head.tolist()))
+    for route in routes:
+        times = best_times(graph, list(route))[1]
+        ways = [(q,) for q in pieces_at(pieces, route[0], times[0]) if network.starts[q]]
+        for i, time in list(zip(route, times))[1:]:
+            ways = [(*way, r) for way in ways for r in pieces_at(pieces, i, time) if (way[-1], r) in arcs]
+        assert any(network.ends[way[-1]] for way in ways), route
+
+
 def pays(route, cuts):
     """Return what a sequence of targets pays for cuts, >= 0: half of the visits to a row, rounded down, in each stretch
     within the cut's memory."""

@@ -6,29 +6,27 @@ import numpy as np
 import pytest
 
 from mamttsp.exact.column_generation import ColumnGeneration
-from mamttsp.exact.evaluation import evaluate
+from mamttsp.exact.evaluation import evaluate, refined
 from mamttsp.exact.fleet import Fleet
 from mamttsp.exact.parameters import Parameters
 from mamttsp.options import Watch
 from mamttsp.timing import best_times
-from tests.exact.networks import alike, best_solution, network_of, pieces_at, random_cuts, random_sets, small, unlike
+from tests.exact.networks import (
+    alike,
+    assert_flown,
+    best_solution,
+    network_of,
+    random_cuts,
+    random_sets,
+    small,
+    unlike,
+)
 
 CASES = [(seed, small(seed), alike(m)) for seed in range(6) for m in (1, 2, 3)]
 CASES += [(seed, graph, Fleet.of(graph)) for seed, graph in enumerate(map(unlike, range(6)))]
 every_case = pytest.mark.parametrize(
     "seed, graph, fleet", CASES, ids=[f"{seed}-{fleet.counts}" for seed, _, fleet in CASES]
 )
-
-
-def _assert_flown(network, graph, routes):
-    """The network holds pieces, arcs, starts and ends for the routes at their best times."""
-    pieces = network.pieces
-    arcs = set(zip(network.arcs.tail.tolist(), network.arcs.head.tolist()))
-    for route in routes:
-        ways = [(q,) for q in pieces_at(pieces, route[0], best_times(graph, list(route))[1][0]) if network.starts[q]]
-        for i, time in list(zip(route, best_times(graph, list(route))[1]))[1:]:
-            ways = [(*way, r) for way in ways for r in pieces_at(pieces, i, time) if (way[-1], r) in arcs]
-        assert any(network.ends[way[-1]] for way in ways), route
 
 
 @every_case
@@ -39,8 +37,13 @@ def test_at_any_prices_an_optimal_solution_stays(seed, graph, fleet):
     for share in (0.2, 0.6, 1.0):
         pi = rng.uniform(1 - share, 1 + share, n) * length / n
         cuts, N = random_cuts(rng, n, 2), random_sets(rng, n)
+<<<<<<< HEAD
         evaluation = evaluate(network, N, pi, cuts, fleet, 0.0)
         _assert_flown(evaluation.eliminated(length * (1 + 1e-7), 0.0), graph, routes)
+=======
+        evaluation = evaluate(network, ngsets.as_words(N), pi, cuts, fleet, 0.0)
+        assert_flown(evaluation.eliminated(length * (1 + 1e-7), 0.0), graph, routes)
+>>>>>>> checks12
 
 
 @every_case
@@ -51,8 +54,23 @@ def test_at_good_prices_little_else_stays(seed, graph, fleet):
     with Watch() as clock:
         generation.run(None, length, clock, lambda bound: None)
     left = generation.best.eliminated(length * (1 + 1e-7), generation.tolerance)
-    _assert_flown(left, graph, routes)
+    assert_flown(left, graph, routes)
     assert len(left.arcs.head) < 0.3 * len(network.arcs.head)
+
+
+@every_case
+def test_shorter_pieces_of_what_is_left_hold_it_as_well(seed, graph, fleet):
+    rng = np.random.default_rng(seed)
+    length, routes = best_solution(graph, fleet)
+    network, n = network_of(graph, 9.0), graph.n_targets
+    times = {i: t for route in routes for i, t in zip(route, best_times(graph, list(route))[1])}
+    for width in (4.0, 1.5):
+        pi, N = rng.uniform(0.6, 1.4, n) * length / n, random_sets(rng, n)
+        evaluation = evaluate(network, ngsets.as_words(N), pi, random_cuts(rng, n, 1), fleet, 0.0)
+        left = evaluation.eliminated(length * (1 + 1e-7), 0.0)
+        network = refined(left, graph, width, times, range(n))
+        assert_flown(network, graph, routes)
+        assert (network.pieces.b - network.pieces.a).max() <= 1.6 * width
 
 
 @every_case
@@ -66,6 +84,6 @@ def test_elimination_round_after_round_keeps_it(seed, graph, fleet):
         pi = rng.uniform(0.5, 1.5, n) * length / n
         evaluation = evaluate(network, random_sets(rng, n), pi, random_cuts(rng, n, 1), fleet, 0.0)
         network = evaluation.eliminated(length * (1 + 1e-7), 0.0)
-        _assert_flown(network, graph, routes)
+        assert_flown(network, graph, routes)
         sizes.append(len(network.arcs.head))
     assert all(after <= before for before, after in itertools.pairwise(sizes)) and sizes[-1] < sizes[0]

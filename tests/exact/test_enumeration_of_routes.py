@@ -3,14 +3,21 @@
 import numpy as np
 import pytest
 
+<<<<<<< HEAD
+=======
+from mamttsp import build_graph, generate
+from mamttsp.exact import ngsets
+from mamttsp.exact.cuts import Cuts
+>>>>>>> checks12
 from mamttsp.exact.enumeration import Enumeration
-from mamttsp.exact.evaluation import evaluate
+from mamttsp.exact.evaluation import evaluate, restricted
 from mamttsp.exact.fleet import Fleet
 from mamttsp.exact.sets import to_marks
 from mamttsp.options import Watch
 from mamttsp.timing import best_times
 from tests.exact.networks import (
     alike,
+    assert_flown,
     best_solution,
     flyable_routes,
     in_full,
@@ -85,6 +92,32 @@ def test_every_route_within_the_slack_is_a_sequence_of_its_set(seed, n_agents):
             assert cost[_key(graph, route)] <= shortest + 1e-6
             assert route in sequences[_key(graph, route)]
     assert inside >= 1
+
+
+@pytest.mark.parametrize("seed, n_agents", CASES)
+def test_the_arcs_of_what_is_left_hold_an_optimal_solution(seed, n_agents):
+    graph, length, routes, evaluation = _evaluation(seed, n_agents)
+    found = _enumeration(evaluation, evaluation.slack(length * (1 + 1e-7)))
+    found.lead(np.ones(len(found.cost), dtype=bool))
+    left = restricted(evaluation.network, found.used_arcs(evaluation.arcs), *found.used_ends())
+    assert_flown(left, graph, routes)
+    assert len(left.arcs.head) < len(evaluation.arcs.head)
+
+
+def test_of_very_many_labels_none_is_lost():
+    """More labels of one number of visits than there is room for at first: arrays and the table of chains grow."""
+    graph = build_graph(generate(5, 60, seed=2))
+    network, N = network_of(graph, 0.4), ngsets.as_words(np.ones((5, 5), dtype=bool))
+    found = _enumeration(evaluate(network, N, np.zeros(5), Cuts.none(5), alike(1), 0.0), NO_LIMIT)
+    assert max(len(layer.left) for layer in found.layers) > 2**12
+    cost, flyable = _cost_by_set(found), flyable_routes(graph)
+    assert {_key(graph, route) for route in flyable} == cost.keys()
+    shortest = {}
+    for route in flyable:
+        shortest.setdefault(_key(graph, route), []).append(route)
+    for key in list(shortest)[::7]:
+        least = min(best_times(graph, list(route))[0] for route in shortest[key])
+        assert 0.9 * least <= cost[key] <= least * (1 + 1e-7)
 
 
 @pytest.mark.parametrize("seed, n_agents", CASES)

@@ -195,6 +195,48 @@ def test_the_cheapest_start_is_the_least_over_all_ng_walks(seed, kind):
         assert _cost_of_walk(network, legs, route.tolist(), pi, cuts) == pytest.approx(expected, abs=_NOISE)
 
 
+@pytest.mark.parametrize("seed, kind", list(itertools.product(SEEDS, KINDS)))
+def test_no_real_route_is_shorter_than_the_length_of_its_column(seed, kind):
+    """Whatever the prices, and whichever pieces of its segments its visits are in."""
+    rng, graph = np.random.default_rng(seed), kind(seed)
+    network, n, checked = network_of(graph, 9.0), graph.n_targets, 0
+    cuts, N = random_cuts(rng, n, seed % 3), ngsets.as_words(random_sets(rng, n))
+    evaluation = evaluate(network, N, rng.uniform(0, 50, n), cuts, Fleet.of(graph), 0.0)
+    for route, times, legs in timed_routes(graph, rng, draws=2):
+        for pieces in itertools.product(*(pieces_at(network.pieces, i, t) for i, t in zip(route, times))):
+            assert evaluation.length(np.array(pieces)) <= legs.sum() + _NOISE
+            checked += 1
+    assert checked > 50
+
+
+@pytest.mark.parametrize("seed, kind", list(itertools.product(SEEDS, KINDS)))
+def test_along_a_route_cuts_are_paid_as_often_as_its_targets_say(seed, kind):
+    rng, graph = np.random.default_rng(seed), kind(seed)
+    network, n = network_of(graph, 50.0), graph.n_targets
+    cuts = random_cuts(rng, n, 4)
+    prices = ngroutes.Prices(rng.uniform(0, 50, n), ngsets.as_words(np.zeros((n, n), bool)), *cuts.words)
+    walks = list(itertools.islice(_plain_ng_walks(network, np.zeros((n, n), bool), 6), 400))
+    walks = [np.array(walk) for walk in walks if network.pieces.last[walk[-1], 0] < math.inf]
+    times = [ngroutes.value_along(network.ahead, prices, walk)[2][:4] for walk in walks]
+    expected = cuts.paid([network.pieces.target[walk][::-1] for walk in walks])
+    assert np.array(times) == pytest.approx(expected) and expected.any()
+
+
+@pytest.mark.parametrize("seed, kind", list(itertools.product(SEEDS, KINDS)))
+def test_values_of_few_entries_are_those_of_some_ng_routes(seed, kind):
+    """They are never below the least over all, and prove nothing."""
+    rng, graph = np.random.default_rng(seed), kind(seed)
+    network, n = network_of(graph, 9.0), graph.n_targets
+    N, pi, cuts = random_sets(rng, n), rng.uniform(0, 50, n), random_cuts(rng, n, seed % 3)
+    whole = evaluate(network, ngsets.as_words(N), pi, cuts, Fleet.of(graph), 0.0)
+    for most in (1, 3):
+        few = evaluate(network, ngsets.as_words(N), pi, cuts, Fleet.of(graph), 0.0, most)
+        assert few.lists.count.max() <= most and few.bound == -math.inf
+        assert (few.cost >= whole.cost - _NOISE).all() and few.value >= whole.value - _NOISE
+        routes, endless = few.columns(20, 5, 3 * n)
+        assert not any(ngsets.forbidden(network.pieces.target[route], N) for route in [*routes, *endless])
+
+
 @pytest.mark.parametrize("seed", range(8))
 def test_grown_ng_sets_forbid_the_cycles_that_they_grew_from(seed):
     rng = np.random.default_rng(seed)

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from mamttsp import build_graph, check, generate
+from mamttsp.exact.fleet import Fleet
 from mamttsp.exact.incumbent import Incumbent
 from mamttsp.exact.standing import Standing
-from tests.exact.networks import alike, best_solution, flyable_routes, small, unlike
-from mamttsp.exact.fleet import Fleet
 from mamttsp.timing import best_times
+from tests.exact.networks import alike, best_solution, flyable_routes, small, unlike
 
 
 @pytest.fixture
