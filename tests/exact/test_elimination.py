@@ -37,13 +37,8 @@ def test_at_any_prices_an_optimal_solution_stays(seed, graph, fleet):
     for share in (0.2, 0.6, 1.0):
         pi = rng.uniform(1 - share, 1 + share, n) * length / n
         cuts, N = random_cuts(rng, n, 2), random_sets(rng, n)
-<<<<<<< HEAD
         evaluation = evaluate(network, N, pi, cuts, fleet, 0.0)
-        _assert_flown(evaluation.eliminated(length * (1 + 1e-7), 0.0), graph, routes)
-=======
-        evaluation = evaluate(network, ngsets.as_words(N), pi, cuts, fleet, 0.0)
         assert_flown(evaluation.eliminated(length * (1 + 1e-7), 0.0), graph, routes)
->>>>>>> checks12
 
 
 @every_case
@@ -66,7 +61,7 @@ def test_shorter_pieces_of_what_is_left_hold_it_as_well(seed, graph, fleet):
     times = {i: t for route in routes for i, t in zip(route, best_times(graph, list(route))[1])}
     for width in (4.0, 1.5):
         pi, N = rng.uniform(0.6, 1.4, n) * length / n, random_sets(rng, n)
-        evaluation = evaluate(network, ngsets.as_words(N), pi, random_cuts(rng, n, 1), fleet, 0.0)
+        evaluation = evaluate(network, N, pi, random_cuts(rng, n, 1), fleet, 0.0)
         left = evaluation.eliminated(length * (1 + 1e-7), 0.0)
         network = refined(left, graph, width, times, range(n))
         assert_flown(network, graph, routes)

@@ -3,12 +3,8 @@
 import numpy as np
 import pytest
 
-<<<<<<< HEAD
-=======
 from mamttsp import build_graph, generate
-from mamttsp.exact import ngsets
 from mamttsp.exact.cuts import Cuts
->>>>>>> checks12
 from mamttsp.exact.enumeration import Enumeration
 from mamttsp.exact.evaluation import evaluate, restricted
 from mamttsp.exact.fleet import Fleet
@@ -107,7 +103,7 @@ def test_the_arcs_of_what_is_left_hold_an_optimal_solution(seed, n_agents):
 def test_of_very_many_labels_none_is_lost():
     """More labels of one number of visits than there is room for at first: arrays and the table of chains grow."""
     graph = build_graph(generate(5, 60, seed=2))
-    network, N = network_of(graph, 0.4), ngsets.as_words(np.ones((5, 5), dtype=bool))
+    network, N = network_of(graph, 0.4), np.ones((5, 5), dtype=bool)
     found = _enumeration(evaluate(network, N, np.zeros(5), Cuts.none(5), alike(1), 0.0), NO_LIMIT)
     assert max(len(layer.left) for layer in found.layers) > 2**12
     cost, flyable = _cost_by_set(found), flyable_routes(graph)

@@ -200,7 +200,7 @@ def test_no_real_route_is_shorter_than_the_length_of_its_column(seed, kind):
     """Whatever the prices, and whichever pieces of its segments its visits are in."""
     rng, graph = np.random.default_rng(seed), kind(seed)
     network, n, checked = network_of(graph, 9.0), graph.n_targets, 0
-    cuts, N = random_cuts(rng, n, seed % 3), ngsets.as_words(random_sets(rng, n))
+    cuts, N = random_cuts(rng, n, seed % 3), random_sets(rng, n)
     evaluation = evaluate(network, N, rng.uniform(0, 50, n), cuts, Fleet.of(graph), 0.0)
     for route, times, legs in timed_routes(graph, rng, draws=2):
         for pieces in itertools.product(*(pieces_at(network.pieces, i, t) for i, t in zip(route, times))):
@@ -214,7 +214,7 @@ def test_along_a_route_cuts_are_paid_as_often_as_its_targets_say(seed, kind):
     rng, graph = np.random.default_rng(seed), kind(seed)
     network, n = network_of(graph, 50.0), graph.n_targets
     cuts = random_cuts(rng, n, 4)
-    prices = ngroutes.Prices(rng.uniform(0, 50, n), ngsets.as_words(np.zeros((n, n), bool)), *cuts.words)
+    prices = ngroutes.Prices(rng.uniform(0, 50, n), to_words(np.zeros((n, n), bool)), *cuts.words)
     walks = list(itertools.islice(_plain_ng_walks(network, np.zeros((n, n), bool), 6), 400))
     walks = [np.array(walk) for walk in walks if network.pieces.last[walk[-1], 0] < math.inf]
     times = [ngroutes.value_along(network.ahead, prices, walk)[2][:4] for walk in walks]
@@ -228,9 +228,9 @@ def test_values_of_few_entries_are_those_of_some_ng_routes(seed, kind):
     rng, graph = np.random.default_rng(seed), kind(seed)
     network, n = network_of(graph, 9.0), graph.n_targets
     N, pi, cuts = random_sets(rng, n), rng.uniform(0, 50, n), random_cuts(rng, n, seed % 3)
-    whole = evaluate(network, ngsets.as_words(N), pi, cuts, Fleet.of(graph), 0.0)
+    whole = evaluate(network, N, pi, cuts, Fleet.of(graph), 0.0)
     for most in (1, 3):
-        few = evaluate(network, ngsets.as_words(N), pi, cuts, Fleet.of(graph), 0.0, most)
+        few = evaluate(network, N, pi, cuts, Fleet.of(graph), 0.0, most)
         assert few.lists.count.max() <= most and few.bound == -math.inf
         assert (few.cost >= whole.cost - _NOISE).all() and few.value >= whole.value - _NOISE
         routes, endless = few.columns(20, 5, 3 * n)
