@@ -50,12 +50,16 @@ def _solve_small_ones():
 
 
 def _propagate():
+    from .branch_and_bound.beam import beam_routes
     from .branch_and_bound.propagation import propagate
     from .graph import build_graph
     from .instance import Instance, Target
 
-    graph = build_graph(Instance([Target.parked((1, 0), (0, 9))], n_agents=1, depot=(0, 0), max_speed=1, horizon=9))
-    propagate(graph, np.ones(len(graph.edges), dtype=bool))
+    targets = [Target.parked((1, 0), (0, 9)), Target.parked((2, 0), (0, 9))]
+    graph = build_graph(Instance(targets, n_agents=1, depot=(0, 0), max_speed=1, horizon=9))
+    alive = np.ones(len(graph.edges), dtype=bool)
+    alive, times = propagate(graph, alive, alone=True)
+    beam_routes(graph, np.zeros(len(alive)), alive, times, graph.counts)
 
 
 def _mark(part):

@@ -24,7 +24,7 @@ class Annealing:
 
     def __init__(self, graph, targets, fleet, parameters, seed=0):
         p = parameters
-        self.m, self.n, self.seed, self.penalty = fleet.n_agents, len(targets), seed, p.left_out * graph.size
+        self.m, self.n, self.seed, self.penalty = fleet.n_agents, len(targets), seed, p.left_out * (graph.size or 1.0)
         self.ruins = Ruins(p.removed, p.string, p.radial, p.blink, p.heat)
         self.node, time, start, step = grid_points(graph, targets, p.grid)
         networks = [make_networks(graph, self.node, time, start, share * step) for share in p.grid_slacks]
