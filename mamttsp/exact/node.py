@@ -162,7 +162,7 @@ class Node:
         self.search.columns += len(routes.cost)
         sets = Sets(routes.visited, routes.agents, routes.cost, self.n)
         relaxed = relax_choice(
-            sets.members, sets.agents, sets.cost, self.generation.fleet, limit, self.search.unit, self.clock.seconds
+            sets.members, sets.agents, sets.cost, self.generation.fleet, limit, self.search.unit, p, self.clock.seconds
         )
         if relaxed is None:
             return None
@@ -213,7 +213,8 @@ class Node:
             self.search.report("settle")
 
         done = settle(
-            sets, self.generation.fleet, lambda: self.limit, self.search.unit, settle_set, on_bound, self.clock
+            sets, self.generation.fleet, lambda: self.limit, self.search.unit, self.parameters, settle_set, on_bound,
+            self.clock,
         )  # fmt: skip
         self.search.recombine()
         self.exhausted = done and not self.over()

@@ -53,6 +53,12 @@ class Parameters:
     near: float = 0.01
     #: columns that are timed in a round, for each target
     timed: int = 5
+    #: a choice among enumerated routes: columns that its linear program begins with, and takes in at once; subset-row
+    #: cuts that are added at once, and at most; columns, at most, for cuts
+    choice_columns: int = 1000
+    choice_cuts: int = 30
+    choice_most_cuts: int = 200
+    choice_few: int = 200_000
     #: seconds for a choice among known routes
     choice_seconds: float = 0.5
     #: label extensions of an enumeration, for each extension of an entry that prices have taken; for one agent also

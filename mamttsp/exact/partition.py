@@ -13,10 +13,6 @@ from .cuts import separate
 
 #: HiGHS's answers hold to within its tolerances, 1e-9 of the unit for each row
 _ACCURACY = 1e-8
-#: columns that the linear program begins with, and takes in at once
-_MORE = 1000
-#: subset-row cuts that are added at once, and in all; by how much each must be violated; columns, at most, for cuts
-_MORE_ROWS, _MOST_ROWS, _VIOLATION, _FEW = 30, 200, 0.02, 200_000
 
 
 class Relaxed(NamedTuple):
@@ -32,7 +28,7 @@ class Relaxed(NamedTuple):
     rows: np.ndarray
 
 
-def relax_choice(members, agents, cost, fleet, limit, unit, time_limit=np.inf, rows=None):
+def relax_choice(members, agents, cost, fleet, limit, unit, parameters, time_limit=np.inf, rows=None):
     """Return the Relaxed choice of columns, None if there was no time; members: (n, J) sparse 0/1 matrix, targets by
     columns; agents: (J,) layer of the graph of each; cost: (J,); fleet: a Fleet; limit: choices that cost more are of
     no interest; rows: (C, n) subset-row cuts to begin with, see `cuts`.
@@ -40,22 +36,22 @@ def relax_choice(members, agents, cost, fleet, limit, unit, time_limit=np.inf, r
     Violated cuts are added until there is none: all columns are known, so their prices do no harm. Columns that cannot
     be in a choice below the limit are dropped between.
     """
-    n, J = members.shape
+    p, (n, J) = parameters, members.shape
     rows = np.zeros((0, n), bool) if rows is None else rows
     best, alive, slack, end = None, np.arange(J), np.full(J, np.inf), time.monotonic() + time_limit
     while True:
         left = end - time.monotonic()
-        found = _relax(members[:, alive], agents[alive], cost[alive], fleet, limit, unit, left, rows)
+        found = _relax(members[:, alive], agents[alive], cost[alive], fleet, limit, unit, left, rows, p.choice_columns)
         if found is None:
             return best
         bound, support, level, dual, part = found
         slack[alive] = np.minimum(slack[alive], part)
         bound = bound if len(alive) == J else min(bound, limit)  # more is not proved without those dropped
         best = Relaxed(bound if best is None else max(bound, best.bound), alive[support], dual, slack.copy(), rows)
-        if bound >= limit or len(alive) > _FEW or len(rows) >= _MOST_ROWS:
+        if bound >= limit or len(alive) > p.choice_few or len(rows) >= p.choice_most_cuts:
             return best
         routes = [members.indices[members.indptr[j] : members.indptr[j + 1]] for j in alive[support]]
-        more, _ = separate(routes, level, n, _MORE_ROWS, _VIOLATION)
+        more, _ = separate(routes, level, n, p.choice_cuts, p.violation)
         if not len(more):
             return best
         rows, kept = np.vstack([rows, more]), part >= 0.0
@@ -63,16 +59,16 @@ def relax_choice(members, agents, cost, fleet, limit, unit, time_limit=np.inf, r
         alive = alive[kept]
 
 
-def _relax(members, agents, cost, fleet, limit, unit, time_limit, rows):
+def _relax(members, agents, cost, fleet, limit, unit, time_limit, rows, few):
     """Return (bound, support, its levels, dual, slack) of the linear relaxation with the cuts `rows`, or None.
 
-    The linear program begins with few columns, and takes in those of negative reduced cost until there is none.
+    The linear program begins with `few` columns, and takes in as many of negative reduced cost until there is none.
     Whatever the prices, a choice with column j costs at least their sum + reduced cost of j + (what the other columns
     must cost, at the least reduced cost of each layer).
     """
     n, K, C = members.shape[0], len(fleet.counts), len(rows)
     each = cost / np.diff(members.indptr)  # for each target served
-    active = np.argsort(each, kind="stable")[:_MORE]
+    active = np.argsort(each, kind="stable")[:few]
     paid = sparse.csr_matrix(rows.astype(float)) @ members
     paid.data //= 2.0
     while True:
@@ -89,7 +85,7 @@ def _relax(members, agents, cost, fleet, limit, unit, time_limit, rows):
         more = np.setdiff1d(np.flatnonzero(reduced - price[agents] < -_ACCURACY * unit), active)
         if not len(more):
             break
-        active = np.r_[active, more[np.argsort(reduced[more], kind="stable")[:_MORE]]]
+        active = np.r_[active, more[np.argsort(reduced[more], kind="stable")[:few]]]
     cheapest = np.full(K, np.inf)
     np.minimum.at(cheapest, agents, reduced)
     base = dual[:n].sum() + sigma.sum()

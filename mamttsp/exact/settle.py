@@ -38,7 +38,7 @@ class Sets:
         self.columns = [columns for columns, kept in zip(self.columns, which) if kept]
 
 
-def settle(sets, fleet, limit, unit, settle_set, on_bound, clock):
+def settle(sets, fleet, limit, unit, parameters, settle_set, on_bound, clock):
     """Settle sets until nothing below the limit is left, the choice is all settled, or time is up; return whether
     nothing is left to do.
 
@@ -48,7 +48,9 @@ def settle(sets, fleet, limit, unit, settle_set, on_bound, clock):
     """
     rows = None
     while not clock.out():
-        relaxed = relax_choice(sets.members, sets.agents, sets.cost, fleet, limit(), unit, clock.seconds, rows)
+        relaxed = relax_choice(
+            sets.members, sets.agents, sets.cost, fleet, limit(), unit, parameters, clock.seconds, rows
+        )  # fmt: skip
         if relaxed is None:
             return False
         rows = relaxed.rows

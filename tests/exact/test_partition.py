@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from scipy import sparse
 
+from mamttsp.exact import Parameters
 from mamttsp.exact.fleet import Fleet
 from mamttsp.exact.partition import choose, relax_choice
 from tests.exact.networks import alike
@@ -66,7 +67,7 @@ def test_the_relaxation_is_below_and_its_slacks_drop_nothing_that_counts(seed):
     members, agents, cost, fleet = _random(seed)
     best, _ = _best(members, agents, cost, fleet)
     limit = 1.2 * min(best, 150.0)
-    relaxed = relax_choice(_sparse(members), agents, cost, fleet, limit, UNIT)
+    relaxed = relax_choice(_sparse(members), agents, cost, fleet, limit, UNIT, Parameters())
     assert relaxed.bound <= best + 1e-6
     for j in range(len(cost)):
         with_it = _best(members, agents, cost, fleet, must=j)[0]

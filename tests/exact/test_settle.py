@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 
+from mamttsp.exact import Parameters
 from mamttsp.exact.fleet import Fleet
 from mamttsp.exact.sets import to_words
 from mamttsp.exact.settle import Sets, settle
@@ -54,7 +55,7 @@ class _Run:
             return true[key]
 
         with Watch(30.0) as clock:
-            self.done = settle(sets, fleet, lambda: limit, UNIT, settle_set, self.bounds.append, clock)
+            self.done = settle(sets, fleet, lambda: limit, UNIT, Parameters(), settle_set, self.bounds.append, clock)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
