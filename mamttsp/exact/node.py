@@ -70,9 +70,11 @@ class Node:
         if self.over():
             return [self]
         self.splits = self.splits or not self.worthwhile(self.finer_from)
-        if not routes and self.splits and (parts := self.split()):
+        if (routes or not self.splits) and self.refine(routes):
+            return [self]
+        if parts := self.split():
             return parts
-        self.refine(routes)
+        self.exhausted = not self.refine(routes)
         return [self]
 
     def worthwhile(self, before):
@@ -220,28 +222,30 @@ class Node:
         self.exhausted = done and not self.over()
 
     def refine(self, routes=None):
-        """Cut what is left into shorter pieces, with the incumbent's visit times in the middle of theirs."""
-        p, network = self.parameters, self.generation.network
+        """Cut what is left into shorter pieces, with the incumbent's visit times in the middle of theirs; return False
+        if there is no room for that."""
+        p, graph, network = self.parameters, self.search.graph, self.generation.network
         if routes is not None:
             used = routes.used_arcs(network.arcs)
             network = restricted(network, used, *routes.used_ends())
-        before, self.width = self.width, self.width / (p.finer_after_routes if routes is not None else p.finer)
-        if self.width < p.thinnest * self.search.graph.horizon:  # thinner pieces drown in rounding errors
-            self.exhausted = True
-            return
         if not len(network.starts):  # nothing is left below the limit
             self.raise_bound(self.limit)
-            return
-        length = (network.pieces.b - network.pieces.a).sum()
-        shortest = length / max(self.most_pieces - len(network.starts), 1)
-        if shortest > 0.9 * before:  # there is no room for shorter pieces: make some
-            self.most_pieces *= 2
-            shortest = length / max(self.most_pieces - len(network.starts), 1)
-        self.width = max(self.width, shortest)
-        if len(network.arcs.head) * (before / self.width) ** 2 > p.most_arcs:  # no memory for that
-            self.exhausted = True
-            return
-        self.finer_from = self.bound
-        network = refined(network, self.search.graph, self.width, self.incumbent.visit_times(), range(self.n))
+            return True
+        width = self.width / (p.finer_after_routes if routes is not None else p.finer)
+        if width < p.thinnest * graph.horizon:  # thinner pieces drown in rounding errors
+            return False
+        width = max(width, self.shortest(network))
+        if len(network.arcs.head) * (self.width / width) ** 2 > p.most_arcs:  # no memory for that
+            return False
+        network = refined(network, graph, width, self.incumbent.visit_times(), range(self.n))
         self.generation.moved(network)
-        self.means, self.first, self.fewer_arcs = 0, True, np.inf
+        self.width, self.means, self.first, self.fewer_arcs, self.finer_from = width, 0, True, np.inf, self.bound
+        return True
+
+    def shortest(self, network):
+        """Return the length of pieces of which there may be as many as there is room for, after making some if these
+        would hardly be shorter."""
+        length, used = (network.pieces.b - network.pieces.a).sum(), len(network.starts)
+        while (shortest := length / max(self.most_pieces - used, 1)) > 0.9 * self.width:
+            self.most_pieces *= 2
+        return shortest

@@ -49,14 +49,18 @@ class Search:
         self.search_tours(self.parameters.annealing)
         self.nodes = [self.root()]
         while not self.over():
-            going = [node for node in self.nodes if not node.exhausted]
-            if not going:
+            if not (going := [node for node in self.nodes if not node.exhausted]):
                 break
-            node = min(going, key=lambda node: node.bound)
+            node = self.chosen(going)
             parts = node.round()
             self.nodes = [other for other in self.nodes if other is not node] + parts
             self.nodes = [other for other in self.nodes if other.bound < self.limit]
             self.raise_bound()
+
+    def chosen(self, nodes):
+        """Return the node of the least bound; the latest, which are few, where nodes take up too much memory."""
+        arcs = sum(len(node.generation.network.arcs.head) for node in self.nodes)
+        return nodes[-1] if arcs > self.parameters.most_arcs else min(nodes, key=lambda node: node.bound)
 
     def root(self):
         """Return the Node of all solutions."""
