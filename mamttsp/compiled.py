@@ -16,11 +16,6 @@ def compiled(function):
     return _compiled(function)
 
 
-def inner(function):
-    """Like `compiled`, for functions that only compiled ones call: what would let Python call them is left out."""
-    return _compiled(function, no_cpython_wrapper=True)
-
-
 def inlined(function):
     """Like `compiled`, for small functions that are copied into each of their callers."""
     return _compiled(function, inline="always")

@@ -8,7 +8,7 @@ from collections import namedtuple
 
 import numpy as np
 
-from ..compiled import inlined, inner
+from ..compiled import compiled, inlined
 from ..motion import TIME_SLACK
 
 #: Flights on the grid, infinite where too late: between (P + 1, P + 1), and its transpose back. The points of target u
@@ -61,13 +61,13 @@ def make_networks(graph, node, time, start, slack):
     return Network(between, between.transpose(0, 2, 1).copy(), start, near)
 
 
-@inner
+@compiled
 def of_layer(networks, k):
     """Return the Network of layer k."""
     return Network(networks.between[k], networks.back[k], networks.start, networks.near[k])
 
 
-@inner
+@compiled
 def _min_plus(values, here, there, start, flights, out):
     """out[h] = least values[g] + flights from point g of target `here` to point h of target `there`; return the least
     of out. Point h is the inner loop: along the rows of `flights`, without branches, processors do several at once."""
@@ -88,7 +88,7 @@ def _stop(route, length, i):
     return route[i] if 0 <= i < length else len(route)
 
 
-@inner
+@compiled
 def evaluate(route, length, network, values):
     """Fill the values along a route; return its cost."""
     if length == 0:
@@ -106,7 +106,7 @@ def evaluate(route, length, network, values):
     return _least_sum(so_far[1], to_go[length], start[route[0] + 1] - start[route[0]])
 
 
-@inner
+@compiled
 def insertion(w, route, length, i, network, values, arrive, leave, cutoff):
     """Return the route's cost with w inserted before its stop i, or infinity if that is not below the cutoff."""
     start, rest = network.start, length - i
@@ -120,7 +120,7 @@ def insertion(w, route, length, i, network, values, arrive, leave, cutoff):
     return _least_sum(arrive, leave, start[w + 1] - start[w])
 
 
-@inner
+@compiled
 def _least_sum(so_far, to_go, size):
     """Return the least sum of the two at one of the first `size` points."""
     least = np.inf
@@ -129,7 +129,7 @@ def _least_sum(so_far, to_go, size):
     return least
 
 
-@inner
+@compiled
 def trace(route, length, network, values, points):
     """Fill the grid points of a cheapest flight along a route that is evaluated."""
     start, here = network.start, len(network.between) - 1

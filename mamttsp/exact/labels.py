@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compiled import compiled, inlined, inner
+from ..compiled import compiled, inlined
 from ..motion import earliest_meeting
 from .legs import after_leg, least, share_before
 from .ngroutes import penalty
@@ -38,7 +38,7 @@ class Labels(NamedTuple):
     parent: np.ndarray
 
 
-@inner
+@compiled
 def _empty(size, W):
     return Labels(
         np.zeros((size, W), np.uint64), np.empty(size, np.uint64), np.empty(size), np.empty(size, np.int32),
@@ -46,7 +46,7 @@ def _empty(size, W):
     )  # fmt: skip
 
 
-@inner
+@compiled
 def _grown(labels):
     """Return the Labels with room for as many again."""
     size, W = labels.visited.shape
@@ -60,7 +60,7 @@ def _grown(labels):
     return more
 
 
-@inner
+@compiled
 def _least_to_go(lists):
     """Return (Q, 2) the least values to go at both ends of each piece, whatever is remembered."""
     best = np.full((len(lists.first), 2), np.inf)
@@ -215,7 +215,7 @@ def _extend(old, pieces, arcs, prices, lists, limit, most, budget):
     return new, count, heir, links[:linked], tried, True
 
 
-@inner
+@compiled
 def _slot_of(visited, x, piece, size):
     """Return where in a table of `size`, a power of 2, the labels of a set and piece are chained."""
     key = np.uint64(piece) * np.uint64(0xC2B2AE3D27D4EB4F)
@@ -225,7 +225,7 @@ def _slot_of(visited, x, piece, size):
     return np.int64(key & np.uint64(size - 1))
 
 
-@inner
+@compiled
 def _rehash(labels, count, size, following):
     """Return a table of `size` with the chains of the first `count` labels, linked by `following`."""
     head = np.full(size, -1, np.int32)
@@ -236,7 +236,7 @@ def _rehash(labels, count, size, following):
     return head
 
 
-@inner
+@compiled
 def _dominate(new, y, following, heir, count, visited, r, left, right, early, share, start, width):
     """Return a label of the chain from y that dominates the candidate, or -1; what the candidate dominates gets it
     as heir."""

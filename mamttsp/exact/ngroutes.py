@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compiled import compiled, inlined, inner
+from ..compiled import compiled, inlined
 from .legs import before_leg, least, share_before
 from .sets import add, grown, has, same, subset
 
@@ -121,7 +121,7 @@ def _pays(odd, sigma):
     return penalty(odd, sigma) if odd else 0.0
 
 
-@inner
+@compiled
 def _extended(q, side, prices, lists, work, first_time, most):
     """Gather in `work` (memory, parity, load, left, right) what can be said of piece q from the lists of those behind
     it: the entries that no other dominates, by their sums, the first `most` of them; return how many, -1 if there is no
@@ -211,7 +211,7 @@ def _extended(q, side, prices, lists, work, first_time, most):
     return known
 
 
-@inner
+@compiled
 def _room(size, W):
     return np.empty((size, W), np.uint64), np.empty(size, np.uint64), np.empty(size), np.empty(size), np.empty(size)
 
@@ -258,7 +258,7 @@ def values_to_go(side, prices, tolerance, most_passes, most_entries):
     return lists
 
 
-@inner
+@compiled
 def _store(work, known, lists, q):
     """Make the first `known` entries the list of piece q."""
     memory, parity, load, left, right = work
@@ -270,7 +270,7 @@ def _store(work, known, lists, q):
         lists.parity[y], lists.load[y], lists.left[y], lists.right[y] = parity[x], load[x], left[x], right[x]
 
 
-@inner
+@compiled
 def _unchanged(work, known, lists, q, tolerance):
     memory, parity, load, left, right = work
     if known != lists.count[q]:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compiled import compiled, inner
+from ..compiled import compiled
 from ..motion import TIME_SLACK, earliest_meeting
 from .legs import tangent
 
@@ -163,7 +163,7 @@ def _make_arcs(pieces, origin, first, parent_start, parent_head):
     return start, head, leg
 
 
-@inner
+@compiled
 def _flyable(pieces, q, r):
     k, u, w = pieces.layer[q], pieces.target[q], pieces.target[r]
     if u == w or k != pieces.layer[r] or pieces.ready[q] == np.inf or pieces.last[r, 0] == np.inf:
@@ -182,7 +182,7 @@ def _flyable(pieces, q, r):
     return d <= pieces.speed[k] * (available + TIME_SLACK * (1.0 + abs(pieces.b[r])))
 
 
-@inner
+@compiled
 def _set_leg(pieces, q, r, leg):
     hq, hr = 0.5 * (pieces.b[q] - pieces.a[q]), 0.5 * (pieces.b[r] - pieces.a[r])
     d, in_q, in_r = tangent(

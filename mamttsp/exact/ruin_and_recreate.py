@@ -10,7 +10,7 @@ from collections import namedtuple
 
 import numpy as np
 
-from ..compiled import compiled, inner
+from ..compiled import compiled
 from ..motion import earliest_meeting
 from .grid import Values, evaluate, grid_points, insertion, make_networks, of_layer, trace
 
@@ -59,7 +59,7 @@ class Annealing:
         return [tuple(nodes[k, : length[k]].tolist()) for k in range(self.m) if length[k]]
 
 
-@inner
+@compiled
 def _place(w, routes, length, cost, networks, values, layer, demand, room, blink, arrive, leave):
     """Return (k, i): the cheapest place to insert w, before stop i of route k; k = -1 if there is none."""
     best, best_k, best_i, seen_empty = np.inf, -1, -1, -1
@@ -79,7 +79,7 @@ def _place(w, routes, length, cost, networks, values, layer, demand, room, blink
     return best_k, best_i
 
 
-@inner
+@compiled
 def _load(route, length, demand):
     total = 0.0
     for i in range(length):
@@ -87,7 +87,7 @@ def _load(route, length, demand):
     return total
 
 
-@inner
+@compiled
 def _insert_all(bank, routes, length, cost, networks, values, layer, demand, room, blink, arrive, leave):
     """Insert each target of the bank at its cheapest place; return those for which there is none."""
     left = 0
@@ -112,7 +112,7 @@ def _closeness(near):
     return np.argsort(close, axis=1, kind="stable")
 
 
-@inner
+@compiled
 def _remove(seed, order, routes, length, absent, ruins):
     """Take strings of neighbouring stops out of routes that come close to the seed target, or the targets closest to
     it; return them, together with `absent`, shuffled."""
@@ -136,7 +136,7 @@ def _remove(seed, order, routes, length, absent, ruins):
     return bank
 
 
-@inner
+@compiled
 def _mark_strings(order, routes, length, longest, ruins, out):
     """Mark in out (n,) strings of up to `longest` stops around targets that come first in `order`, one of a route."""
     whole = np.ones(len(length), np.bool_)
@@ -154,7 +154,7 @@ def _mark_strings(order, routes, length, longest, ruins, out):
                 whole[k], strings = False, strings - 1
 
 
-@inner
+@compiled
 def _flyable(points, length, segment, depot, end, speed, horizon):
     """Tell whether the segments of the points can be met in this order from the depot, and the end by the horizon."""
     px, py, t = depot[0], depot[1], 0.0
@@ -167,7 +167,7 @@ def _flyable(points, length, segment, depot, end, speed, horizon):
     return earliest_meeting(px, py, t, end[0], end[1], 0.0, 0.0, 0.0, 0.0, horizon, speed) < np.inf
 
 
-@inner
+@compiled
 def _absent(routes, length):
     """Return the targets on no route."""
     absent = np.ones(routes.shape[1], np.bool_)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..compiled import inlined, inner
+from ..compiled import compiled, inlined
 
 
 def to_words(marks):
@@ -57,7 +57,7 @@ def disjoint(sets, x, others, y):
     return apart
 
 
-@inner
+@compiled
 def grown(memory, parity, load, left, right, used, more):
     """Return the arrays of entries with room for at least `more` behind the first `used`."""
     size = 2 * (used + more)

@@ -5,9 +5,15 @@ import itertools
 import numpy as np
 import pytest
 
+from mamttsp import generate
+from mamttsp.exact import Parameters, solve_exact
 from mamttsp.exact.branching import Decision, decisions, fleets
 from mamttsp.exact.fleet import Fleet
+from mamttsp.options import Options
+from tests.exact.certificates import assert_brackets
+from tests.exact.enumeration import optimum
 from tests.exact.networks import alike, flyable_routes, network_of, pieces_at, random_times, small, unlike
+from tests.exact.paths import NONE_FITS
 
 GRAPHS = [small(seed) for seed in range(4)] + [unlike(seed) for seed in range(4)]
 
@@ -80,3 +86,12 @@ def test_fleets_are_below_and_above_a_fraction():
     assert many.counts.tolist() == [5] and many.least == 2
     assert fleets([([0], 1.0, 0), ([1], 1.0, 0)], alike(5)) == []
     assert fleets(support, Fleet(np.array([2, 2]), 1)) == []
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_without_memory_for_shorter_pieces_nodes_are_split_until_their_routes_are_told(seed):
+    """The latest node first; what is left in the end is the error of the first pieces."""
+    problem, parameters = generate(5, 60, 2, seed=seed), Parameters(**NONE_FITS, most_arcs=1)
+    solution = solve_exact(problem, Options(time_limit=60.0), parameters)
+    assert_brackets(problem, solution, optimum(problem))
+    assert solution.bound > 0.95 * solution.objective and solution.runtime < 60.0

@@ -16,6 +16,11 @@ SEEDS = range(24)
 UNIT = 100.0
 
 
+def _words(sets):
+    """Return sets of targets as the words of labels."""
+    return to_words(np.array([[u in S for u in range(5)] for S in sets]))
+
+
 def _random(seed):
     """Return (columns [(layer, set)], bounds, true costs, fleet): several columns of a set, and some sets without a
     route (infinite cost)."""
@@ -47,7 +52,7 @@ class _Run:
 
     def __init__(self, columns, bounds, true, fleet, limit):
         self.asked, self.bounds = [], []
-        sets = Sets(to_words([S for _, S in columns], 5), np.array([k for k, _ in columns]), bounds, 5)
+        sets = Sets(_words(S for _, S in columns), np.array([k for k, _ in columns]), bounds, 5)
 
         def settle_set(own):
             (key,) = {columns[j] for j in own}
@@ -72,7 +77,7 @@ def test_the_bound_reaches_the_best_choice_or_the_limit(seed):
 @pytest.mark.parametrize("seed", SEEDS)
 def test_columns_of_one_set_and_layer_are_one(seed):
     columns, bounds, _, _ = _random(seed)
-    sets = Sets(to_words([S for _, S in columns], 5), np.array([k for k, _ in columns]), bounds, 5)
+    sets = Sets(_words(S for _, S in columns), np.array([k for k, _ in columns]), bounds, 5)
     assert len(sets.cost) == len(set(columns))
     for j, own in enumerate(sets.columns):
         (key,) = {columns[x] for x in own}
