@@ -23,20 +23,25 @@ def _grid(seed, slack=0.5):
 
 def _room(n, start):
     widest = int(np.diff(start).max())
-    return Values(np.empty((n, widest)), np.empty((n, widest)), np.empty(n), np.empty(n)), *np.empty((2, widest))
+    """Return (values, arrive, leave), wrong but for the 0 of the depot and the end, so that whoever reads others is
+    found out."""
+    rows, least = np.full((2, n + 1, widest), -1e6), np.full((2, n + 1), -1e6)
+    rows[:, 0, 0], least[:, 0] = 0.0, 0.0
+    return Values(*rows, *least), *np.full((2, widest), -1e6)
 
 
 def _some_routes(rng, n):
-    return [rng.permutation(n)[: rng.integers(1, n)] for _ in range(15)]
+    """Return (row, length) of routes; behind a route its row goes on with other targets."""
+    return [(rng.permutation(n), int(rng.integers(1, n))) for _ in range(15)]
 
 
 def _shortest(route, network):
     """Return the least length of a path through points of a route's targets, one after the other."""
     points = [range(network.start[u], network.start[u + 1]) for u in route]
-    length = {g: network.first[g] for g in points[0]}
+    length = {g: network.between[-1, g] for g in points[0]}
     for following in points[1:]:
         length = {h: min(length[g] + network.between[g, h] for g in length) for h in following}
-    return min(length[g] + network.last[g] for g in length)
+    return min(length[g] + network.between[g, -1] for g in length)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -67,14 +72,14 @@ def test_flights_are_distances_where_there_is_time(seed, slack):
             assert network.between[g, h] == network.back[h, g] == (pytest.approx(d) if there else math.inf)
         for g in range(len(node)):
             out, home = math.dist(depot, place[g]), math.dist(place[g], end)
-            assert network.first[g] == (pytest.approx(out) if out <= speed * (time[g] + late) else math.inf)
+            first = pytest.approx(out) if out <= speed * (time[g] + late) else math.inf
+            assert network.between[-1, g] == network.back[g, -1] == first
             in_time = home <= speed * (graph.horizon - time[g] + late)
-            assert network.last[g] == (pytest.approx(home) if in_time else math.inf)
-        for u, w in itertools.permutations(range(5), 2):
-            block = network.between[start[u] : start[u + 1], start[w] : start[w + 1]]
+            assert network.between[g, -1] == network.back[-1, g] == (pytest.approx(home) if in_time else math.inf)
+        assert network.start.tolist() == [*start, len(node) + 1] and len(network.between) == len(node) + 1
+        for u, w in itertools.permutations(range(6), 2):  # with the depot and the end
+            block = network.between[network.start[u] : network.start[u + 1], network.start[w] : network.start[w + 1]]
             assert network.near[u, w] == block.min()
-            assert network.near_first[u] == network.first[start[u] : start[u + 1]].min()
-            assert network.near_last[u] == network.last[start[u] : start[u + 1]].min()
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -83,16 +88,16 @@ def test_a_route_costs_its_shortest_path_and_its_points_are_one(seed):
     graph, networks, _, _, start, _ = _grid(seed)
     values, *_ = _room(5, start)
     points, found = np.zeros(5, np.int64), 0
-    for k, route in itertools.product(range(graph.n_layers), _some_routes(rng, 5)):
-        network, length = of_layer(networks, k), len(route)
+    for k, (row, length) in itertools.product(range(graph.n_layers), _some_routes(rng, 5)):
+        network, route = of_layer(networks, k), row[:length]
         expected = _shortest(route, network)
-        assert evaluate(route, length, network, values) == pytest.approx(expected)
+        assert evaluate(row, length, network, values) == pytest.approx(expected)
         if math.isfinite(expected):
-            trace(route, length, network, values, points)
+            trace(row, length, network, values, points)
             way = points[:length].tolist()
             assert all(start[u] <= g < start[u + 1] for u, g in zip(route, way))
             legs = sum(network.between[g, h] for g, h in itertools.pairwise(way))
-            assert network.first[way[0]] + legs + network.last[way[-1]] == pytest.approx(expected)
+            assert network.between[-1, way[0]] + legs + network.between[way[-1], -1] == pytest.approx(expected)
             found += 1
     assert found > 3
 
@@ -103,15 +108,15 @@ def test_an_insertion_costs_what_the_longer_route_does_unless_it_is_cut_off(seed
     graph, networks, _, _, start, _ = _grid(seed)
     values, arrive, leave = _room(5, start)
     finite = 0
-    for k, route in itertools.product(range(graph.n_layers), _some_routes(rng, 5)):
-        network, length = of_layer(networks, k), len(route)
-        if math.isinf(evaluate(route, length, network, values)):
+    for k, (row, length) in itertools.product(range(graph.n_layers), _some_routes(rng, 5)):
+        network, route = of_layer(networks, k), row[:length]
+        if math.isinf(evaluate(row, length, network, values)):
             continue
         for w, i in itertools.product(set(range(5)) - set(route.tolist()), range(length + 1)):
             expected = _shortest([*route[:i], w, *route[i:]], network)
-            assert insertion(w, route, length, i, network, values, arrive, leave, math.inf) == pytest.approx(expected)
+            assert insertion(w, row, length, i, network, values, arrive, leave, math.inf) == pytest.approx(expected)
             cutoff = 0.9 * expected if math.isfinite(expected) else 100.0
-            assert insertion(w, route, length, i, network, values, arrive, leave, cutoff) >= cutoff
+            assert insertion(w, row, length, i, network, values, arrive, leave, cutoff) >= cutoff
             finite += math.isfinite(expected)
     assert finite > 3
 
@@ -121,7 +126,7 @@ def test_an_insertion_below_the_cutoff_is_priced():
     _, _, start, step = points = grid_points(graph, range(3), 8)
     network = of_layer(make_networks(graph, *points[:3], step), 0)
     values, arrive, leave = _room(3, start)
-    route = np.array([0])
-    evaluate(route, 1, network, values)
+    row = np.arange(3)
+    evaluate(row, 1, network, values)
     (least, w, i) = min((_shortest(r, network), w, r.index(w)) for w in (1, 2) for r in ([w, 0], [0, w]))
-    assert insertion(w, route, 1, i, network, values, arrive, leave, least * (1 + 1e-9)) == pytest.approx(least)
+    assert insertion(w, row, 1, i, network, values, arrive, leave, least * (1 + 1e-9)) == pytest.approx(least)

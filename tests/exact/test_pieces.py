@@ -106,7 +106,7 @@ def test_between_parts_of_pieces_there_are_the_arcs_of_all_such_pairs(kind, seed
     pieces = _pieces(graph, width)
     arcs = all_arcs(pieces)
     arcs = select(arcs, rng.random(len(arcs.head)) < 0.7)
-    segment, a, b, origin = finer(pieces, range(len(pieces.a)), width / 3, {int(pieces.segment[0]): pieces.a[0] + 1.0})
+    segment, a, b, origin = finer(pieces, width / 3, {int(pieces.segment[0]): pieces.a[0] + 1.0})
     parts = make_pieces(graph, segment, a, b, range(graph.n_targets))
     found, every = finer_arcs(parts, origin, arcs), all_arcs(parts)
     old = set(zip(arcs.tail.tolist(), arcs.head.tolist()))
@@ -123,7 +123,7 @@ def test_parts_cut_their_pieces_with_a_moment_in_the_middle_of_one(kind, seed, w
     pieces = _pieces(graph, width)
     q = int(np.argmax(pieces.b - pieces.a))
     moment = 0.6 * pieces.a[q] + 0.4 * pieces.b[q]
-    _, a, b, origin = finer(pieces, range(len(pieces.a)), 2.0, {int(pieces.segment[q]): moment})
+    _, a, b, origin = finer(pieces, 2.0, {int(pieces.segment[q]): moment})
     for piece in range(len(pieces.a)):
         own = origin == piece
         assert a[own][0] == pieces.a[piece] and b[own][-1] == pieces.b[piece] and (a[own][1:] == b[own][:-1]).all()

@@ -77,7 +77,7 @@ def test_the_best_of_all_routes_timed_is_chosen(seed, graph, fleet):
     incumbent = Incumbent(graph, fleet)
     for route in flyable_routes(graph):
         incumbent.timed(route)
-    incumbent.recombine(range(graph.n_targets), 10.0)
+    incumbent.recombine(10.0)
     length, _ = best_solution(graph, fleet)
     assert incumbent.objective == (pytest.approx(length) if math.isfinite(length) else math.inf)
     assert (
