@@ -214,12 +214,24 @@ def test_along_a_route_cuts_are_paid_as_often_as_its_targets_say(seed, kind):
     rng, graph = np.random.default_rng(seed), kind(seed)
     network, n = network_of(graph, 50.0), graph.n_targets
     cuts = random_cuts(rng, n, 4)
-    prices = ngroutes.Prices(rng.uniform(0, 50, n), to_words(np.zeros((n, n), bool)), *cuts.words)
+    inside, kept, free = cuts.with_prices(np.zeros(4)).words
+    pi, N = rng.uniform(0, 50, n), to_words(np.zeros((n, n), bool))
     walks = list(itertools.islice(_plain_ng_walks(network, np.zeros((n, n), bool), 6), 400))
     walks = [np.array(walk) for walk in walks if network.pieces.last[walk[-1], 0] < math.inf]
-    times = [ngroutes.value_along(network.ahead, prices, walk)[2][:4] for walk in walks]
+    # Each cut costs 1 in turn: what that adds to the values is how often it is paid.
+    sigmas = free - np.eye(4, 64)
+    times = [
+        [
+            np.subtract(
+                ngroutes.value_along(network.ahead, ngroutes.Prices(pi, N, inside, kept, sigma), walk),
+                ngroutes.value_along(network.ahead, ngroutes.Prices(pi, N, inside, kept, free), walk),
+            )
+            for sigma in sigmas
+        ]
+        for walk in walks
+    ]
     expected = cuts.paid([network.pieces.target[walk][::-1] for walk in walks])
-    assert np.array(times) == pytest.approx(expected) and expected.any()
+    assert np.array(times) == pytest.approx(np.repeat(expected[:, :, None], 2, axis=2), abs=_NOISE) and expected.any()
 
 
 @pytest.mark.parametrize("seed, kind", list(itertools.product(SEEDS, KINDS)))
