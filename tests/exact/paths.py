@@ -8,6 +8,7 @@ FORCED = {
     "the early enumeration": {"enumeration_early": 1e6},
     "the last enumeration": {**NONE_FITS, "enumeration_last": 1e6, "piece": 9.0, "pieces_each": 4},
     "split as soon as shorter pieces were tried": {**NONE_FITS, "worthwhile": 2.0, "piece": 9.0, "pieces_each": 2},
+    "split, without cuts": {**NONE_FITS, "worthwhile": 2.0, "violation": 10.0, "ng_size": 0},
     "ng-sets grow from nothing": {"ng_size": 0},
     "ng-sets grow by the shortest cycles": {
         "ng_size": 0,
