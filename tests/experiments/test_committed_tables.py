@@ -1,5 +1,6 @@
 """The committed tables: every setting is there, every line is true, and they are what the committed rows say."""
 
+import re
 import shutil
 from dataclasses import asdict, replace
 from pathlib import Path
@@ -45,6 +46,13 @@ def test_of_the_library_each_line_is_of_a_setting_and_none_of_the_paper_s_is_los
     found = set(zip(lines.name, lines.agents))
     assert len(paper) == 560 and paper <= found <= paper | beyond
     assert lines.solution.notna().all() and len(found) == len(lines)
+
+
+def test_the_page_says_how_many_settings_of_each_series_have_a_line():
+    names, page = pd.read_csv(FOLDER / "instances" / "best_known.csv").name, (FOLDER / "README.md").read_text()
+    for series in AGENTS:
+        count = f"{names.str.startswith(f'{series}-').sum()} of {len(settings(series))}"
+        assert re.search(rf"^\| `{series}-` \|[^|]*\| {count} \|$", page, flags=re.M), f"{series}: {count}"
 
 
 def test_capacities_lengthen_the_best_tours_as_often_as_the_page_says():
