@@ -19,7 +19,7 @@ FOLDER = Path(__file__).parents[1] / "paper_results" / "instances"
 MANIFEST = "manifest.json"
 _NAME = re.compile(r"(?:(crowded|loose|scale|types|loads)-)?n(\d+)-i(\d+)-w(\d+)(?:-m(\d+))?")
 #: by number of targets, where 150 s are too short for one agent: horizon in s, and straight pieces of a path
-_LONGER = {25: (200.0, 6), 30: (250.0, 7), 40: (400.0, 11), 50: (500.0, 14), 64: (640.0, 18)}
+_LONGER = {25: (200.0, 6), 30: (250.0, 7), 40: (400.0, 11), 50: (500.0, 14), 64: (640.0, 18), 100: (1000.0, 28)}
 #: of the series "types": two depots, and an agent that is faster than the others
 _TWO_TYPES = ((2, (-25.0, 0.0), 4.0), (1, (25.0, 0.0), 6.0))
 

@@ -15,8 +15,6 @@ from tests.oracle import optimum
 PATHS = {"as it is": {}} | FORCED
 #: s for the paths that may leave a gap
 _LIMITS = dict.fromkeys(UNENUMERATED, 5.0) | dict.fromkeys(UNSETTLED, 1.0)
-#: the same among the fast tests, where such paths get three targets at most and others four
-_SHORT_LIMITS = dict.fromkeys(UNENUMERATED, 2.0) | dict.fromkeys(UNSETTLED, 0.5)
 #: instances of each kind: 210 in all, and 2025
 FEW, MANY = range(14), range(1000, 1135)
 
@@ -27,11 +25,12 @@ def compiled():
     ensure_compiled()
 
 
-def _assert_found(problem, expected, path, limits):
+def _assert_found(problem, expected, path):
     """Solve on a path; the optimum is proved, or that there is none. A path that leaves something out may leave a gap,
     if its bound and its tours hold."""
-    solution = solve_exact(problem, Options(time_limit=limits.get(path, 60.0)), Parameters(**PATHS[path]))
-    if path in limits and solution.status in ("feasible", "unknown"):
+    limit = _LIMITS.get(path, 60.0)
+    solution = solve_exact(problem, Options(time_limit=limit), Parameters(**PATHS[path]))
+    if path in _LIMITS and solution.status in ("feasible", "unknown"):
         assert math.isfinite(expected) or not solution.tours
         assert_brackets(problem, solution, expected)
     else:
@@ -46,9 +45,8 @@ def _path(kind, seed):
 @pytest.mark.parametrize("seed", FEW)
 @pytest.mark.parametrize("kind", KINDS)
 def test_one_path_leads_to_what_enumeration_finds(kind, seed):
-    path = _path(kind, seed)
-    problem = hostile(kind, seed, most=3 if path in UNENUMERATED else 4)
-    _assert_found(problem, optimum(problem), path, _SHORT_LIMITS)
+    problem = hostile(kind, seed, most=4)
+    _assert_found(problem, optimum(problem), _path(kind, seed))
 
 
 @pytest.mark.slow
@@ -58,4 +56,4 @@ def test_two_paths_lead_to_what_enumeration_finds(kind, seed):
     problem = hostile(kind, seed)
     expected = optimum(problem)
     for path in {"as it is", _path(kind, seed)}:
-        _assert_found(problem, expected, path, _LIMITS)
+        _assert_found(problem, expected, path)
