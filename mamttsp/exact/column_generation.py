@@ -33,7 +33,7 @@ class ColumnGeneration:
     """Column generation over one network after another; what it knows of routes and prices is taken along.
 
     best: the Evaluation of the greatest bound over the present network, ng-sets and cuts, None before the first;
-    support: (route, level, layer) of the master's columns in use; decisions: see `branching`; work: entries extended
+    support: (route, level, layer) of the master's columns in use; decisions: see `splitting`; work: entries extended
     along arcs so far.
     """
 

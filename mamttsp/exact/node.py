@@ -8,7 +8,7 @@ import copy
 
 import numpy as np
 
-from . import branching
+from . import splitting
 from .cuts import MOST_CUTS, separate
 from .enumeration import Enumeration
 from .evaluation import refined, restricted
@@ -84,9 +84,9 @@ class Node:
     def split(self):
         """Return parts that hold all solutions of the node; none if the prices do not tell on what to split."""
         generation = self.generation
-        parts = [generation.of_fleet(fleet) for fleet in branching.fleets(generation.support, generation.fleet)]
+        parts = [generation.of_fleet(fleet) for fleet in splitting.fleets(generation.support, generation.fleet)]
         if not parts:
-            parts = [generation.decided(decision) for decision in branching.decisions(generation.support)]
+            parts = [generation.decided(decision) for decision in splitting.decisions(generation.support)]
         return [self.part(generation) for generation in parts]
 
     def part(self, generation):

@@ -31,7 +31,7 @@ def _lines(folder, name=TABLE):
 def test_the_settings_are_of_every_instance_beyond_the_paper_and_few_agents_come_last():
     found = [setting for series in benchmark.AGENTS for setting in benchmark.settings(series)]
     assert {name for name, _ in found} == {name for name in parameters() if not name.startswith("n")}
-    assert len(set(found)) == len(found) == 80 + 60 + 30 + 20 + 16
+    assert len(set(found)) == len(found) == 80 + 60 + 30 + 20 + 18
     assert all(load_for(*setting).n_agents == setting[1] for setting in found)
     crowded = benchmark.settings("crowded")
     assert crowded[0] == ("crowded-n20-i00-w40", 3) and crowded[-1] == ("crowded-n25-i09-w60", 1)

@@ -7,8 +7,8 @@ import pytest
 
 from mamttsp import generate
 from mamttsp.exact import Parameters, solve_exact
-from mamttsp.exact.branching import Decision, decisions, fleets
 from mamttsp.exact.fleet import Fleet
+from mamttsp.exact.splitting import Decision, decisions, fleets
 from mamttsp.options import Options
 from tests.exact.certificates import assert_brackets
 from tests.exact.enumeration import optimum
