@@ -9,14 +9,13 @@ changes.csv of paper_results/instances as soon as it is done. No times are kept.
 
 import argparse
 import contextlib
-import csv
 from pathlib import Path
 
 from mamttsp.experiments import tours_of
 from mamttsp.experiments.campaigns.bar import campaign_bar
 from mamttsp.experiments.campaigns.campaign import MEMORY_LIMIT, rows_apart
 from mamttsp.experiments.campaigns.runs import LibraryRun
-from mamttsp.experiments.summaries.best_solutions import TABLE, Contribution, update
+from mamttsp.experiments.summaries.best_solutions import TABLE, Contribution, read_lines, update
 from mamttsp.library import FOLDER, parameters
 from mamttsp.solution import OPTIMAL
 
@@ -46,9 +45,8 @@ def settings(series):
 def runs_left(folder, wanted, time_limit, again=False):
     """Return the runs of the (name, agents) wanted that have no line in the folder's table, or, `again`, whose line has
     an open gap."""
-    known = {}
-    with contextlib.suppress(FileNotFoundError), open(Path(folder) / TABLE, newline="", encoding="utf-8") as file:
-        known = {(line["name"], int(line["agents"])): line["status"] for line in csv.DictReader(file)}
+    lines = read_lines(Path(folder) / TABLE)
+    known = {(line["name"], int(line["agents"])): line["status"] for line in lines}
     left = [each for each in wanted if (each in known and known[each] != OPTIMAL if again else each not in known)]
     return [LibraryRun(*each, time_limit) for each in left]
 

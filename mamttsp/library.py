@@ -37,7 +37,7 @@ def load(name: str, n_agents: int | None = None, folder: str | os.PathLike[str] 
     True
     """
     found = _NAME.fullmatch(of_type("name", name, str))
-    if found is None or (short := _short(*found.groups()[:4])) not in parameters():
+    if found is None or (short := short_name(*found.groups()[:4])) not in parameters():
         raise InputError(
             f'name: {brief(name)} is not in the library; names are like "n20-i03-w40" or "loose-n10-i00-w75"'
         )
@@ -66,7 +66,7 @@ def parameters():
     made = {}
 
     def add(series, n, index, window, **others):
-        made[_short(series, n, index, window)] = {"n_targets": n, "total_window": window, "seed": index, **others}
+        made[short_name(series, n, index, window)] = {"n_targets": n, "total_window": window, "seed": index, **others}
 
     for n in PAPER_SIZES:
         for index in PAPER_INDICES:
@@ -80,9 +80,9 @@ def parameters():
             for window in (37, 75):  # a quarter and a half of the horizon
                 add("loose", n, index, window, widest_total_window=75)
         for n in (10, 15, 20):
-            made[_short("types", n, index, 40)] = beyond_the_paper("types", n, index)
+            made[short_name("types", n, index, 40)] = beyond_the_paper("types", n, index)
         for n in (20, 25):
-            made[_short("loads", n, index, 40)] = beyond_the_paper("loads", n, index)
+            made[short_name("loads", n, index, 40)] = beyond_the_paper("loads", n, index)
     for n in _LONGER:
         for index in range(2):
             add("scale", n, index, 40, **_longer(n))
@@ -123,7 +123,8 @@ def read_manifest(folder=FOLDER):
         raise InputError(f"{Path(folder) / MANIFEST}: cannot be read: {error}") from error
 
 
-def _short(series, n, index, window):
+def short_name(series, n, index, window):
+    """Return the name of an instance, but for its number of agents; series: None for those by the paper's recipe."""
     prefix = "" if series is None else f"{series}-"
     return f"{prefix}n{int(n):02}-i{int(index):02}-w{int(window)}"
 

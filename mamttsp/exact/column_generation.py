@@ -85,23 +85,20 @@ class ColumnGeneration:
 
     def decided(self, decision):
         """Return a ColumnGeneration of the permitted legs, that goes on from here."""
-        part = copy.copy(self)
-        part.network, part.decisions = decision.within(self.network), (*self.decisions, decision)
-        part.columns = dataclasses.replace(self.columns)
-        part.columns.keep([decision.permits(r, k) for r, k in zip(self.columns.routes, self.columns.agents)])
-        return part._begun()
+        permitted = [decision.permits(r, k) for r, k in zip(self.columns.routes, self.columns.agents)]
+        return self._part(permitted, network=decision.within(self.network), decisions=(*self.decisions, decision))
 
     def of_fleet(self, fleet):
         """Return a ColumnGeneration for another Fleet, that goes on from here."""
-        part = copy.copy(self)
-        part.fleet, part.columns = fleet, dataclasses.replace(self.columns)
-        part.columns.keep(np.ones(len(self.columns.routes), bool))
-        return part._begun()
+        return self._part([True] * len(self.columns.routes), fleet=fleet)
 
-    def _begun(self):
-        self.best, self.dropped_at, self.support = None, np.inf, []
-        self._fresh_master()
-        return self
+    def _part(self, kept, **changed):
+        """Return a ColumnGeneration with the columns marked in kept (J,) and the attributes changed."""
+        part = copy.copy(self)
+        vars(part).update(changed, columns=dataclasses.replace(self.columns), best=None, dropped_at=np.inf, support=[])
+        part.columns.keep(kept)
+        part._fresh_master()
+        return part
 
     def elementary(self, least, most):
         """Return up to `most` routes of segments among the columns that repeat no target and make at least so many

@@ -52,9 +52,8 @@ class Search:
             if not (going := [node for node in self.nodes if not node.exhausted]):
                 break
             node = self.chosen(going)
-            parts = node.round()
-            self.nodes = [other for other in self.nodes if other is not node] + parts
-            self.nodes = [other for other in self.nodes if other.bound < self.limit]
+            others = [other for other in self.nodes if other is not node]
+            self.nodes = [left for left in others + node.round() if left.bound < self.limit]
             self.raise_bound()
 
     def chosen(self, nodes):

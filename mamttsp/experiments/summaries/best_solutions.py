@@ -10,7 +10,7 @@ import math
 from collections import Counter
 from pathlib import Path
 
-from ...library import load_for
+from ...library import load_for, short_name
 from ...solution import FEASIBLE, OPTIMAL, UNKNOWN, Solution, relative_gap
 from ...tours import TourError, check
 from ...validation import InputError
@@ -42,7 +42,7 @@ def of_rows(best):
     """Yield what a campaign's best_known table, a DataFrame, says of the instances by the paper's recipe."""
     for _, line in best.iterrows():
         bound = None if math.isnan(line["bound"]) else float(line["bound"])
-        name = f"n{int(line['n']):02}-i{int(line['index']):02}-w{int(line['total_window'])}"
+        name = short_name(None, line["n"], line["index"], line["total_window"])
         yield Contribution(
             name, int(line["agents"]), tours_of(line), bound, str(line["objective_by"]), str(line["bound_by"])
         )
@@ -54,8 +54,8 @@ def update(folder, found):
     Objectives are the checker's. TourError: tours that are no solution; InputError: a bound above the known length.
     """
     folder = Path(folder)
-    lines = {(line["name"], int(line["agents"])): line for line in _read(folder / TABLE)}
-    changes = _read(folder / CHANGES)
+    lines = {(line["name"], int(line["agents"])): line for line in read_lines(folder / TABLE)}
+    changes = read_lines(folder / CHANGES)
     (folder / SOLUTIONS).mkdir(exist_ok=True)
     for one in found:
         key = one.name, one.agents
@@ -163,7 +163,8 @@ def _note(changes, line, what, before, after, by):
         changes.append(dict(zip(CHANGE_COLUMNS, names)))
 
 
-def _read(path):
+def read_lines(path):
+    """Return the lines of a table as dicts of texts, none if there is no such file."""
     if not path.exists():
         return []
     with path.open(newline="", encoding="utf-8") as file:
