@@ -64,9 +64,6 @@ class Node:
                 self.search.search_tours(p.annealing_later)
             if self.over() or self.strengthen(self.worthwhile(before)):
                 return [self]
-            # Shorter pieces make more labels of the same routes: with a wide gap these are the fewest there will be.
-            if self.m == 1:
-                routes = self.enumerate(p.enumeration_last)
         if self.over():
             return [self]
         self.splits = self.splits or not self.worthwhile(self.finer_from)
@@ -103,7 +100,7 @@ class Node:
         if self.over():
             return None
         if most_entries is not None:
-            return self.enumerate(p.enumeration_early) if self.first and self.m == 1 else None
+            return self.enumerate() if self.first and self.m == 1 else None
         self.time_columns()
         network = generation.best.eliminated(self.limit, generation.tolerance)
         generation.narrowed(network)
@@ -111,7 +108,7 @@ class Node:
         if self.clock.out() or len(network.arcs.head) > self.fewer_arcs:
             return None
         self.fewer_arcs = p.fewer_arcs * len(network.arcs.head)
-        return self.enumerate(p.enumeration)
+        return self.enumerate()
 
     def time_columns(self):
         """Time the elementary columns of least reduced cost, and choose among all routes known."""
@@ -147,16 +144,14 @@ class Node:
         generation.add_cuts(rows, memory)
         return True
 
-    def enumerate(self, effort):
-        """Enumerate all routes of solutions within the limit, extending `effort` labels for each entry that prices
-        have extended; return them if that was enough, None else."""
-        p, limit = self.parameters, self.limit
-        evaluation = self.generation.evaluate(self.generation.pi, self.generation.cuts)
-        self.raise_bound(evaluation.bound)
-        slack = self.generation.best.slack(limit)
-        routes = Enumeration(
-            evaluation, slack, self.n, self.m == 1, p.most_labels, effort * self.generation.work, p.rate, self.clock
-        )  # fmt: skip
+    def enumerate(self):
+        """Enumerate all routes of solutions within the limit; return them if there was room for all labels, None
+        else."""
+        p, limit, alone = self.parameters, self.limit, self.m == 1
+        evaluations = self.generation.evaluations(p.prices if alone else 0, p.apart)
+        self.raise_bound(evaluations[0].bound)
+        budget = (p.enumeration_alone if alone else p.enumeration) * self.generation.work
+        routes = Enumeration(evaluations, limit, alone, p.most_labels, budget, p.rate, self.clock)
         self.search.labels += routes.size
         if not routes.complete:
             self.search.report("labels")
@@ -175,7 +170,7 @@ class Node:
         routes.lead(alive)
         sets.keep(relaxed.slack >= 0.0)
         # Far from the limit, shorter pieces raise all bounds at once; but that is tried only once.
-        ready = self.m == 1 or self.enumerated or self.near()
+        ready = alone or self.enumerated or self.near()
         self.enumerated = True
         if not self.over() and ready and 0 < len(sets.cost) <= self.parameters.few_sets:
             self.settle(sets, routes)

@@ -99,7 +99,7 @@ class Search:
             if self.clock.out():
                 break
             if routes := self.annealing.run(
-                self.parameters.annealing_step, 1.0 - look / looks, 1.0 - (look + 1) / looks
+                self.n * self.parameters.annealing_step, 1.0 - look / looks, 1.0 - (look + 1) / looks
             ):
                 self.incumbent.offer(routes)
         self.recombine()
