@@ -27,7 +27,7 @@ class Node:
         self.search, self.generation, self.width = search, generation, width
         self.n, self.parameters, self.clock = search.n, search.parameters, search.clock
         self.incumbent, self.bound, self.exhausted, self.enumerated = search.incumbent, 0.0, False, False
-        self.most_pieces, self.means, self.first, self.fewer_arcs = search.parameters.most_pieces, 0, True, np.inf
+        self.most_pieces, self.means, self.first, self.enumerated_at = search.parameters.most_pieces, 0, True, np.inf
         self.finer_from, self.splits = -np.inf, False
 
     @property
@@ -89,12 +89,12 @@ class Node:
     def part(self, generation):
         """Return a Node with a part of this one's solutions, which goes on from here."""
         part = copy.copy(self)
-        part.generation, part.means, part.first, part.fewer_arcs = generation, 0, False, np.inf
+        part.generation, part.means, part.first, part.enumerated_at = generation, 0, False, np.inf
         return part
 
     def stage(self, most_entries):
         """Move the prices with so many entries of each piece, and eliminate; return all routes if they are few."""
-        p, generation = self.parameters, self.generation
+        generation = self.generation
         generation.run(most_entries, self.limit, self.clock, self.raise_bound)
         self.search.report("prices")
         if self.over():
@@ -105,9 +105,6 @@ class Node:
         network = generation.best.eliminated(self.limit, generation.tolerance)
         generation.narrowed(network)
         self.search.report("elimination")
-        if self.clock.out() or len(network.arcs.head) > self.fewer_arcs:
-            return None
-        self.fewer_arcs = p.fewer_arcs * len(network.arcs.head)
         return self.enumerate()
 
     def time_columns(self):
@@ -145,9 +142,12 @@ class Node:
         return True
 
     def enumerate(self):
-        """Enumerate all routes of solutions within the limit; return them if there was room for all labels, None
-        else."""
+        """Enumerate all routes of solutions within the limit; return them, or None if there is no room for all labels,
+        or there was none and the gap has hardly shrunk since."""
         p, limit, alone = self.parameters, self.limit, self.m == 1
+        if self.clock.out() or limit - self.bound > p.narrower * self.enumerated_at:
+            return None
+        self.enumerated_at = limit - self.bound
         evaluations = self.generation.evaluations(p.prices if alone else 0, p.apart)
         self.raise_bound(evaluations[0].bound)
         budget = (p.enumeration_alone if alone else p.enumeration) * self.generation.work
@@ -234,7 +234,7 @@ class Node:
             return False
         network = refined(network, graph, width, self.incumbent.visit_times(), range(self.n))
         self.generation.moved(network)
-        self.width, self.means, self.first, self.fewer_arcs, self.finer_from = width, 0, True, np.inf, self.bound
+        self.width, self.means, self.first, self.enumerated_at, self.finer_from = width, 0, True, np.inf, self.bound
         return True
 
     def shortest(self, network):

@@ -71,8 +71,8 @@ class Parameters:
     #: other, as a share of the present ones
     prices: int = 12
     apart: float = 0.15
-    #: an enumeration is tried again over the same pieces once only this share of the arcs is left
-    fewer_arcs: float = 0.9
+    #: an enumeration is tried again over the same pieces once the gap has shrunk to this share
+    narrower: float = 0.8
     #: label extensions per second, an underestimate, to stop in time
     rate: float = 8e6
     #: a means of raising the bound is used again if it closed this share of the gap
