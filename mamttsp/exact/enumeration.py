@@ -21,7 +21,7 @@ class Enumeration:
     def __init__(self, evaluations, limit, whole, most, budget, rate, clock):
         self.pieces, self.n = evaluations[0].pieces, len(evaluations[0].pi)
         self.complete, self.layers, self.links = True, [], []
-        self._grow(evaluations, limit, most, budget, rate, clock)
+        self._grow(evaluations, limit, whole, most, budget, rate, clock)
         if self.complete:
             self._collect(evaluations, limit, whole)
 
@@ -29,13 +29,19 @@ class Enumeration:
     def size(self):
         return sum(len(layer.left) for layer in self.layers)
 
-    def _grow(self, evaluations, limit, most, budget, rate, clock):
-        completions, arcs = completions_of(evaluations, limit), evaluations[0].arcs
+    def _grow(self, evaluations, limit, whole, most, budget, rate, clock):
+        """Extend all labels of one number of visits after the other.
+
+        Where one agent serves all targets, most labels are in the middle: if more of the budget is gone before than the
+        share of the visits, it will not last.
+        """
+        completions, arcs, spent = completions_of(evaluations, limit), evaluations[0].arcs, 0
         self.layers.append(lab.first_labels(evaluations, limit))
         while len(self.layers) < self.n and len(self.layers[-1].left):
-            room, left = max(float(most - self.size), 0.0), float(min(budget, rate * clock.seconds))
+            due = budget * len(self.layers) / self.n if whole else budget
+            room, left = max(float(most - self.size), 0.0), float(min(due - spent, rate * clock.seconds))
             layer, links, tried, self.complete = lab.extend(self.layers[-1], self.pieces, arcs, completions, room, left)
-            budget -= tried
+            spent += tried
             self.complete = self.complete and not clock.out()
             if not self.complete:
                 return

@@ -80,10 +80,11 @@ class Node:
 
     def split(self):
         """Return parts that hold all solutions of the node; none if the prices do not tell on what to split."""
-        generation = self.generation
-        parts = [generation.of_fleet(fleet) for fleet in splitting.fleets(generation.support, generation.fleet)]
+        generation, p = self.generation, self.parameters
+        fleets = splitting.fleets(generation.support, generation.fleet, p.whole_routes)
+        parts = [generation.of_fleet(fleet) for fleet in fleets]
         if not parts:
-            parts = [generation.decided(decision) for decision in splitting.decisions(generation.support)]
+            parts = [generation.decided(decision) for decision in splitting.decisions(generation.support, p.whole)]
         return [self.part(generation) for generation in parts]
 
     def part(self, generation):

@@ -77,6 +77,9 @@ class Parameters:
     rate: float = 8e6
     #: a means of raising the bound is used again if it closed this share of the gap
     worthwhile: float = 0.05
+    #: a level of the master's columns this close to 0 or 1 is not worth a split, and a number of routes to a whole one
+    whole: float = 0.01
+    whole_routes: float = 0.1
     #: subset-row cuts added to the prices at once, and by how much they must be violated
     cuts: int = 15
     violation: float = 0.02
