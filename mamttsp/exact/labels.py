@@ -138,9 +138,8 @@ def _extend(old, pieces, arcs, completions, most, budget):
                 leg[arc, 0], leg[arc, 1], leg[arc, 2], old.left[x], old.right[x], width_q, width, a[r] - a_q, speed,
                 since, 0.0,
             )  # fmt: skip
-            if (
-                min(left + best[0, r, 0], right + best[0, r, 1]) + pay > limit[0, layer]
-            ):  # most end here, without a root
+            # Most end here, before any root is taken.
+            if min(left + best[0, r, 0], right + best[0, r, 1]) + pay > limit[0, layer]:
                 continue
             early = earliest_meeting(px, py, a_q + since, p[r, 0], p[r, 1], a[r], v[r, 0], v[r, 1], a[r], b[r], speed)
             if early == np.inf:

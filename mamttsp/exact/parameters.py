@@ -33,10 +33,11 @@ class Parameters:
     #: and of all together, at most
     first_pieces: int = 1500
     #: looks of ruin and recreate, for each target, at first and in a round that leaves a wide gap; iterations of one,
-    #: for each target
+    #: for each target, and at most
     annealing: float = 0.2
     annealing_later: float = 0.3
     annealing_step: int = 25
+    annealing_longest: int = 500
     #: its time grid: points for each target; by how many steps a flight may come late, in turn: with 1.0 the grid holds
     #: all routes, and proposes many that cannot be flown; with 0.0 whatever it holds can be flown
     grid: int = 24
