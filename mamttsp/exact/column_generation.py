@@ -42,7 +42,7 @@ class ColumnGeneration:
         self.pi, self.cuts, self.best, self.support = pi, Cuts.none(n_targets), None, []
         self.box, self.dropped_at, self.work, self.decisions = np.inf, np.inf, 0, ()
         self.N = ngsets.nearest(network.pieces, network.arcs, n_targets, parameters.ng_size)
-        self.columns = Columns([], [], [], [])
+        self.columns, self.tried = Columns([], [], [], []), []
         self._fresh_master()
 
     def _fresh_master(self):
@@ -76,7 +76,7 @@ class ColumnGeneration:
     def moved(self, network):
         """Go on over another network; lengths of columns over the old one are forgotten."""
         self.network, self.best, self.dropped_at = network, None, np.inf
-        self.columns = Columns([], [], [], [])
+        self.columns, self.tried = Columns([], [], [], []), []
         self._fresh_master()
 
     def narrowed(self, network):
@@ -95,7 +95,14 @@ class ColumnGeneration:
     def _part(self, kept, **changed):
         """Return a ColumnGeneration with the columns marked in kept (J,) and the attributes changed."""
         part = copy.copy(self)
-        vars(part).update(changed, columns=dataclasses.replace(self.columns), best=None, dropped_at=np.inf, support=[])
+        vars(part).update(
+            changed,
+            columns=dataclasses.replace(self.columns),
+            best=None,
+            dropped_at=np.inf,
+            support=[],
+            tried=list(self.tried),
+        )
         part.columns.keep(kept)
         part._fresh_master()
         return part
@@ -137,6 +144,17 @@ class ColumnGeneration:
         self.work += int(found.lists.count[self.network.arcs.head].sum())
         return found
 
+    def evaluations(self, most, apart):
+        """Return [Evaluation at the present prices] and up to `most` at other multipliers tried, those of the greatest
+        L first, each at least the share `apart` of the present ones away from those before it."""
+        chosen, least = [self.pi], apart * np.abs(self.pi).sum()
+        for _, pi in sorted(self.tried, key=lambda pair: -pair[0]):
+            if len(chosen) > most:
+                break
+            if min(np.abs(pi - other).sum() for other in chosen) >= least:
+                chosen.append(pi)
+        return [self.evaluate(pi, self.cuts) for pi in chosen]
+
     def run(self, most_entries, limit, clock, on_bound):
         """Move the prices by evaluations of so many entries a piece, None for all, until the master agrees with them,
         the bound reaches the limit, or time is up; best is then an evaluation of all entries, unless time is up.
@@ -158,6 +176,7 @@ class ColumnGeneration:
         for _ in range(p.most_steps):
             evaluation = self._tried(pi, cuts, most_entries)
             value, idle = evaluation.value, idle + 1
+            self.tried.append((value, pi))
             on_bound(evaluation.bound)
             if self.best is None or value > self.best.value:  # the first is at the best prices known
                 if self.best is not None and value > self.best.value + 0.3 * predicted:

@@ -4,62 +4,75 @@ import numpy as np
 from scipy import sparse
 
 from . import labels as lab
+from .completions import completions_of
 from .sets import to_marks
 
 
 class Enumeration:
-    """All labels that can be completed within the slack (K,) of their layer in reduced cost, grown from the depot over
-    an evaluation's arcs.
+    """All labels that can be completed to routes of a solution of value at most `limit`, at the prices of every one of
+    the evaluations, grown from the depot over the arcs of their network.
 
     complete: False if it needed more than `most` labels or `budget` extensions, or more time than the clock has left,
     at `rate` extensions per s; it then proves nothing.
     One column for each closed route: visited (J, W); agents (J,) its layer of the graph; cost (J,) lower bound on its
-    length; reduced (J,) its least reduced cost, spare (J,) what that leaves of the slack. depth, label: (J,) where it
-    ends.
+    length; spare (J,) by how much its reduced cost could be greater, at least. depth, label: (J,) where it ends.
     """
 
-    def __init__(self, evaluation, slack, n_targets, whole, most, budget, rate, clock):
-        self.pieces, self.n, self.complete, self.layers, self.links = evaluation.pieces, n_targets, True, [], []
-        self._grow(evaluation, slack, most, budget, rate, clock)
+    def __init__(self, evaluations, limit, whole, most, budget, rate, clock):
+        self.pieces, self.n = evaluations[0].pieces, len(evaluations[0].pi)
+        self.complete, self.layers, self.links = True, [], []
+        self._grow(evaluations, limit, whole, most, budget, rate, clock)
         if self.complete:
-            self._collect(evaluation, slack, whole)
+            self._collect(evaluations, limit, whole)
 
     @property
     def size(self):
         return sum(len(layer.left) for layer in self.layers)
 
-    def _grow(self, evaluation, slack, most, budget, rate, clock):
-        pieces, prices, lists = evaluation.pieces, evaluation.prices, evaluation.lists
-        self.layers.append(lab.first_labels(evaluation, slack))
+    def _grow(self, evaluations, limit, whole, most, budget, rate, clock):
+        """Extend all labels of one number of visits after the other.
+
+        Where one agent serves all targets, most labels are in the middle: if more of the budget is gone before than the
+        share of the visits, it will not last.
+        """
+        completions, arcs, spent = completions_of(evaluations, limit), evaluations[0].arcs, 0
+        self.layers.append(lab.first_labels(evaluations, limit))
         while len(self.layers) < self.n and len(self.layers[-1].left):
-            room, left = max(float(most - self.size), 0.0), float(min(budget, rate * clock.seconds))
-            layer, links, tried, self.complete = lab.extend(
-                self.layers[-1], pieces, evaluation.arcs, prices, lists, slack, room, left
-            )
-            budget -= tried
+            due = budget * len(self.layers) / self.n if whole else budget
+            room, left = max(float(most - self.size), 0.0), float(min(due - spent, rate * clock.seconds))
+            layer, links, tried, self.complete = lab.extend(self.layers[-1], self.pieces, arcs, completions, room, left)
+            spent += tried
             self.complete = self.complete and not clock.out()
             if not self.complete:
                 return
             self.layers.append(layer)
             self.links.append(links)
 
-    def _collect(self, evaluation, slack, whole):
+    def _collect(self, evaluations, limit, whole):
         """Gather the closed routes of all layers as columns; whole: only those that serve all targets."""
         found = []
         for s, layer in enumerate(self.layers, start=1):
             if whole and s < self.n:
                 continue
-            cost = lab.closings(layer, self.pieces)
-            agents = self.pieces.layer[layer.piece]
-            hits = np.flatnonzero(cost <= slack[agents])
-            found.append((np.full(len(hits), s), hits, layer.visited[hits], agents[hits], cost[hits]))
+            reduced = lab.closings(layer, self.pieces)
+            hits = np.flatnonzero(reduced < np.inf)
+            found.append(self._within(evaluations, limit, s, layer, hits, reduced[hits]))
         if not found:
             none = np.zeros(0, int)
-            found = [(none, none, self.layers[0].visited[:0], none, np.zeros(0))]
-        self.depth, self.label, self.visited, self.agents, self.reduced = map(np.concatenate, zip(*found))
+            found = [(none, none, self.layers[0].visited[:0], none, np.zeros(0), np.zeros(0))]
+        self.depth, self.label, self.visited, self.agents, self.cost, self.spare = map(np.concatenate, zip(*found))
         self.members = membership(self.visited, self.n)
-        self.spare = slack[self.agents] - self.reduced
-        self.cost = self.reduced + self.members.T @ evaluation.prices.pi + evaluation.cuts.price_of(self.members)
+
+    def _within(self, evaluations, limit, depth, layer, labels, reduced):
+        """Return (depth, label, visited, agents, cost, spare) of the labels whose routes stay within the limit, by
+        their reduced costs at the first prices."""
+        visited, agents = layer.visited[labels], self.pieces.layer[layer.piece[labels]]
+        members = membership(visited, self.n)
+        paid = [members.T @ e.pi + e.cuts.price_of(members) for e in evaluations]
+        cost = reduced + paid[0]
+        spare = np.min([e.slack(limit)[agents] + own - cost for e, own in zip(evaluations, paid)], axis=0)
+        kept = spare >= 0.0
+        return np.full(kept.sum(), depth), labels[kept], visited[kept], agents[kept], cost[kept], spare[kept]
 
     def route(self, column):
         """Return the pieces of a column's route, in the order of its visits."""

@@ -15,7 +15,7 @@ class Incumbent:
     def __init__(self, graph, fleet):
         self.graph, self.fleet = graph, fleet
         self.objective, self.routes = math.inf, ()
-        self._timed = {}
+        self._timed, self._combined = {}, 0
 
     @property
     def longest(self):
@@ -38,7 +38,9 @@ class Incumbent:
 
     def recombine(self, time_limit):
         """Offer the best choice among the shortest routes, of each layer through each set of targets, ever timed."""
-        best = {}
+        if len(self._timed) == self._combined:  # the same routes as the last time
+            return
+        best, self._combined = {}, len(self._timed)
         for route, found in self._timed.items():
             served = int(self.graph.layer[route[0]]), frozenset(self.graph.tau[list(route)])
             if found and (served not in best or found[0] < self.timed(best[served])[0]):

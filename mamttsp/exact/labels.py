@@ -10,11 +10,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compiled import compiled, inlined
+from ..compiled import compiled
 from ..motion import earliest_meeting
+from .completions import completed, shifts
 from .legs import after_leg, least, share_before
 from .ngroutes import penalty
-from .sets import add, disjoint, has, same, to_words
+from .sets import add, has, same, to_words
 
 _EPS = 1e-12
 _FIRST_SIZE = 1 << 12
@@ -60,22 +61,11 @@ def _grown(labels):
     return more
 
 
-@compiled
-def _least_to_go(lists):
-    """Return (Q, 2) the least values to go at both ends of each piece, whatever is remembered."""
-    best = np.full((len(lists.first), 2), np.inf)
-    for q in range(len(best)):
-        for y in range(lists.first[q], lists.first[q] + lists.count[q]):
-            best[q, 0] = min(best[q, 0], lists.left[y])
-            best[q, 1] = min(best[q, 1], lists.right[y])
-    return best
-
-
-def first_labels(evaluation, slack):
-    """Return the Labels of one visit, straight from the depot: pieces where a route within the slack (K,) of its layer
-    may begin."""
-    pieces, prices = evaluation.pieces, evaluation.prices
-    piece = np.flatnonzero(evaluation.cost <= slack[pieces.layer])
+def first_labels(evaluations, limit):
+    """Return the Labels of one visit, straight from the depot: pieces where a route of a solution of value at most
+    `limit` may begin. Their reduced costs are at the prices of the first of the evaluations."""
+    pieces, prices = evaluations[0].pieces, evaluations[0].prices
+    piece = np.flatnonzero(np.all([e.cost <= e.slack(limit)[pieces.layer] for e in evaluations], axis=0))
     u, layer, parent = pieces.target[piece], pieces.layer[piece], np.full(len(piece), -1, np.int32)
     visited = to_words(u[:, None] == np.arange(len(prices.pi)))
     left, right = (pieces.first[piece] - prices.pi[u][:, None]).T.copy()
@@ -85,7 +75,7 @@ def first_labels(evaluation, slack):
     )  # fmt: skip
 
 
-def extend(old, pieces, arcs, prices, lists, limit, most, budget):
+def extend(old, pieces, arcs, completions, most, budget):
     """Extend every label of one number of visits along every arc, and drop what is dominated.
 
     Returns (labels, links, tried, complete): those of one visit more; links: (Y, 2) pairs (old label, new label)
@@ -93,7 +83,7 @@ def extend(old, pieces, arcs, prices, lists, limit, most, budget):
     were; complete is False if more than `most` labels or `budget` tried extensions were needed, and the labels are then
     of no use.
     """
-    new, count, heir, links, tried, complete = _extend(old, pieces, arcs, prices, lists, limit, most, budget)
+    new, count, heir, links, tried, complete = _extend(old, pieces, arcs, completions, most, budget)
     if not complete:
         return new, links, tried, False
     keep = np.flatnonzero(heir[:count] < 0)
@@ -106,32 +96,14 @@ def extend(old, pieces, arcs, prices, lists, limit, most, budget):
     return Labels(*(part[keep] for part in new)), links, tried, True
 
 
-@inlined
-def _can_be_completed(visited, x, odd, room, left, right, share, r, lists, limit, sigma):
-    """Tell whether an entry of the values to go at piece r keeps the label within the limit; room: what can still be
-    carried."""
-    found = False
-    for y in range(lists.first[r], lists.first[r] + lists.count[r]):
-        if min(left + lists.left[y], right + lists.right[y]) > limit:
-            continue
-        if lists.load[y] > room or not disjoint(visited, x, lists.memory, y):
-            continue
-        hits = odd & lists.parity[y]
-        pay = penalty(hits, sigma) if hits else 0.0
-        if pay + least(left + lists.left[y], right + lists.right[y], share) <= limit:
-            found = True
-            break
-    return found
-
-
 @compiled
-def _extend(old, pieces, arcs, prices, lists, limit, most, budget):
+def _extend(old, pieces, arcs, completions, most, budget):
     """Return (new, count, heir, links, tried, complete): as `extend`, but with the dominated among the first `count` of
     the labels `new`; heir: (X,) what dominates each of them, or -1.
 
     All in one function, with arrays unpacked first: numba counts references at each call and attribute otherwise.
     """
-    W = prices.N.shape[1]
+    W = old.visited.shape[1]
     new, count = _empty(np.int64(_FIRST_SIZE), W), np.int64(0)
     following = np.empty(_FIRST_SIZE, np.int32)
     heir = np.full(_FIRST_SIZE, -1, np.int32)  # the label that dominates a dropped one
@@ -139,39 +111,43 @@ def _extend(old, pieces, arcs, prices, lists, limit, most, budget):
     links, linked, tried = np.empty((_FIRST_SIZE, 2), np.int32), 0, 0
     a, b, p, v, target, demand = pieces.a, pieces.b, pieces.p, pieces.v, pieces.target, pieces.demand
     start, heads, leg = arcs.start, arcs.head, arcs.leg
-    pi, inside, sigma = prices.pi, prices.inside, prices.sigma
-    fresh, best = np.zeros((1, W), np.uint64), _least_to_go(lists)
+    pi, limit, inside, sigma, best = (
+        completions.pi, completions.limit, completions.inside, completions.sigma, completions.best
+    )  # fmt: skip
+    fresh, shift, turn = np.zeros((1, W), np.uint64), np.zeros(len(pi)), np.arange(len(pi))
     for x in range(len(old.left)):
         q = old.piece[x]
         layer = pieces.layer[q]
-        speed, most_cost, room = pieces.speed[layer], limit[layer], pieces.room[layer] - old.load[x]
+        speed, room = pieces.speed[layer], pieces.room[layer] - old.load[x]
         a_q, width_q = a[q], b[q] - a[q]
         since = max(0.0, old.early[x] - a_q)
         px, py = p[q, 0] + since * v[q, 0], p[q, 1] + since * v[q, 1]
         tried += start[q + 1] - start[q]
         if tried > budget:
             return new, count, heir, links[:0], tried, False
-        for k in range(start[q], start[q + 1]):
-            r = heads[k]
+        shifts(old.visited, x, pi, shift)
+        for arc in range(start[q], start[q + 1]):
+            r = heads[arc]
             w = target[r]
             if has(old.visited, x, w) or demand[layer, w] > room:
                 continue
             width = b[r] - a[r]
             hits = old.odd[x] & inside[w]
-            pay = penalty(hits, sigma) - pi[w] if hits else -pi[w]
+            pay = penalty(hits, sigma) - pi[0, w] if hits else -pi[0, w]
             left, right = after_leg(
-                leg[k, 0], leg[k, 1], leg[k, 2], old.left[x], old.right[x], width_q, width, a[r] - a_q, speed, since,
-                0.0,
+                leg[arc, 0], leg[arc, 1], leg[arc, 2], old.left[x], old.right[x], width_q, width, a[r] - a_q, speed,
+                since, 0.0,
             )  # fmt: skip
-            if min(left + best[r, 0], right + best[r, 1]) + pay > most_cost:  # most end here, before any root is taken
+            # Most end here, before any root is taken.
+            if min(left + best[0, r, 0], right + best[0, r, 1]) + pay > limit[0, layer]:
                 continue
             early = earliest_meeting(px, py, a_q + since, p[r, 0], p[r, 1], a[r], v[r, 0], v[r, 1], a[r], b[r], speed)
             if early == np.inf:
                 continue
             share = share_before(early, a[r], width)
             left, right = after_leg(
-                leg[k, 0], leg[k, 1], leg[k, 2], old.left[x], old.right[x], width_q, width, a[r] - a_q, speed, since,
-                share,
+                leg[arc, 0], leg[arc, 1], leg[arc, 2], old.left[x], old.right[x], width_q, width, a[r] - a_q, speed,
+                since, share,
             )  # fmt: skip
             left += pay
             right += pay
@@ -179,9 +155,10 @@ def _extend(old, pieces, arcs, prices, lists, limit, most, budget):
                 fresh[0, z] = old.visited[x, z]
             add(fresh, 0, w)
             odd = old.odd[x] ^ inside[w]
-            if not _can_be_completed(
-                fresh, 0, odd, room - demand[layer, w], left, right, share, r, lists, most_cost, sigma
-            ):
+            fits = completed(
+                fresh, odd, room - demand[layer, w], left, right, share, r, layer, w, shift, turn, completions
+            )  # fmt: skip
+            if not fits:
                 continue
             if linked == len(links):
                 links = np.concatenate((links, np.empty_like(links)))

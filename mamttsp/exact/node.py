@@ -27,7 +27,7 @@ class Node:
         self.search, self.generation, self.width = search, generation, width
         self.n, self.parameters, self.clock = search.n, search.parameters, search.clock
         self.incumbent, self.bound, self.exhausted, self.enumerated = search.incumbent, 0.0, False, False
-        self.most_pieces, self.means, self.first, self.fewer_arcs = search.parameters.most_pieces, 0, True, np.inf
+        self.most_pieces, self.means, self.first, self.enumerated_at = search.parameters.most_pieces, 0, True, np.inf
         self.finer_from, self.splits = -np.inf, False
 
     @property
@@ -64,9 +64,6 @@ class Node:
                 self.search.search_tours(p.annealing_later)
             if self.over() or self.strengthen(self.worthwhile(before)):
                 return [self]
-            # Shorter pieces make more labels of the same routes: with a wide gap these are the fewest there will be.
-            if self.m == 1:
-                routes = self.enumerate(p.enumeration_last)
         if self.over():
             return [self]
         self.splits = self.splits or not self.worthwhile(self.finer_from)
@@ -83,35 +80,33 @@ class Node:
 
     def split(self):
         """Return parts that hold all solutions of the node; none if the prices do not tell on what to split."""
-        generation = self.generation
-        parts = [generation.of_fleet(fleet) for fleet in splitting.fleets(generation.support, generation.fleet)]
+        generation, p = self.generation, self.parameters
+        fleets = splitting.fleets(generation.support, generation.fleet, p.whole_routes)
+        parts = [generation.of_fleet(fleet) for fleet in fleets]
         if not parts:
-            parts = [generation.decided(decision) for decision in splitting.decisions(generation.support)]
+            parts = [generation.decided(decision) for decision in splitting.decisions(generation.support, p.whole)]
         return [self.part(generation) for generation in parts]
 
     def part(self, generation):
         """Return a Node with a part of this one's solutions, which goes on from here."""
         part = copy.copy(self)
-        part.generation, part.means, part.first, part.fewer_arcs = generation, 0, False, np.inf
+        part.generation, part.means, part.first, part.enumerated_at = generation, 0, False, np.inf
         return part
 
     def stage(self, most_entries):
         """Move the prices with so many entries of each piece, and eliminate; return all routes if they are few."""
-        p, generation = self.parameters, self.generation
+        generation = self.generation
         generation.run(most_entries, self.limit, self.clock, self.raise_bound)
         self.search.report("prices")
         if self.over():
             return None
         if most_entries is not None:
-            return self.enumerate(p.enumeration_early) if self.first and self.m == 1 else None
+            return self.enumerate() if self.first and self.m == 1 else None
         self.time_columns()
         network = generation.best.eliminated(self.limit, generation.tolerance)
         generation.narrowed(network)
         self.search.report("elimination")
-        if self.clock.out() or len(network.arcs.head) > self.fewer_arcs:
-            return None
-        self.fewer_arcs = p.fewer_arcs * len(network.arcs.head)
-        return self.enumerate(p.enumeration)
+        return self.enumerate()
 
     def time_columns(self):
         """Time the elementary columns of least reduced cost, and choose among all routes known."""
@@ -147,16 +142,17 @@ class Node:
         generation.add_cuts(rows, memory)
         return True
 
-    def enumerate(self, effort):
-        """Enumerate all routes of solutions within the limit, extending `effort` labels for each entry that prices
-        have extended; return them if that was enough, None else."""
-        p, limit = self.parameters, self.limit
-        evaluation = self.generation.evaluate(self.generation.pi, self.generation.cuts)
-        self.raise_bound(evaluation.bound)
-        slack = self.generation.best.slack(limit)
-        routes = Enumeration(
-            evaluation, slack, self.n, self.m == 1, p.most_labels, effort * self.generation.work, p.rate, self.clock
-        )  # fmt: skip
+    def enumerate(self):
+        """Enumerate all routes of solutions within the limit; return them, or None if there is no room for all labels,
+        or there was none and the gap has hardly shrunk since."""
+        p, limit, alone = self.parameters, self.limit, self.m == 1
+        if self.clock.out() or limit - self.bound > p.narrower * self.enumerated_at:
+            return None
+        self.enumerated_at = limit - self.bound
+        evaluations = self.generation.evaluations(p.prices if alone else 0, p.apart)
+        self.raise_bound(evaluations[0].bound)
+        budget = (p.enumeration_alone if alone else p.enumeration) * self.generation.work
+        routes = Enumeration(evaluations, limit, alone, p.most_labels, budget, p.rate, self.clock)
         self.search.labels += routes.size
         if not routes.complete:
             self.search.report("labels")
@@ -175,7 +171,7 @@ class Node:
         routes.lead(alive)
         sets.keep(relaxed.slack >= 0.0)
         # Far from the limit, shorter pieces raise all bounds at once; but that is tried only once.
-        ready = self.m == 1 or self.enumerated or self.near()
+        ready = alone or self.enumerated or self.near()
         self.enumerated = True
         if not self.over() and ready and 0 < len(sets.cost) <= self.parameters.few_sets:
             self.settle(sets, routes)
@@ -239,7 +235,7 @@ class Node:
             return False
         network = refined(network, graph, width, self.incumbent.visit_times(), range(self.n))
         self.generation.moved(network)
-        self.width, self.means, self.first, self.fewer_arcs, self.finer_from = width, 0, True, np.inf, self.bound
+        self.width, self.means, self.first, self.enumerated_at, self.finer_from = width, 0, True, np.inf, self.bound
         return True
 
     def shortest(self, network):

@@ -32,10 +32,12 @@ class Parameters:
     pieces_each: int = 8
     #: and of all together, at most
     first_pieces: int = 1500
-    #: looks of ruin and recreate, for each target, at first and in a round that leaves a wide gap; iterations of one
+    #: looks of ruin and recreate, for each target, at first and in a round that leaves a wide gap; iterations of one,
+    #: for each target, and at most
     annealing: float = 0.2
     annealing_later: float = 0.3
-    annealing_step: int = 500
+    annealing_step: int = 25
+    annealing_longest: int = 500
     #: its time grid: points for each target; by how many steps a flight may come late, in turn: with 1.0 the grid holds
     #: all routes, and proposes many that cannot be flown; with 0.0 whatever it holds can be flown
     grid: int = 24
@@ -61,18 +63,24 @@ class Parameters:
     choice_few: int = 200_000
     #: seconds for a choice among known routes
     choice_seconds: float = 0.5
-    #: label extensions of an enumeration, for each extension of an entry that prices have taken; for one agent also
-    #: early, before prices have moved with all entries, and as a last try before pieces get shorter; labels, at most
+    #: label extensions of an enumeration, for each extension of an entry that prices have taken, with several agents
+    #: and with one, for whom little else closes a gap; labels, at most
     enumeration: float = 1.5
-    enumeration_early: float = 0.5
-    enumeration_last: float = 15.0
+    enumeration_alone: float = 15.0
     most_labels: int = 8_000_000
-    #: an enumeration is tried again over the same pieces once only this share of the arcs is left
-    fewer_arcs: float = 0.9
+    #: for one agent, other multipliers at which a label must be possible to complete, and how far they are from each
+    #: other, as a share of the present ones
+    prices: int = 12
+    apart: float = 0.15
+    #: an enumeration is tried again over the same pieces once the gap has shrunk to this share
+    narrower: float = 0.8
     #: label extensions per second, an underestimate, to stop in time
     rate: float = 8e6
     #: a means of raising the bound is used again if it closed this share of the gap
     worthwhile: float = 0.05
+    #: a level of the master's columns this close to 0 or 1 is not worth a split, and a number of routes to a whole one
+    whole: float = 0.01
+    whole_routes: float = 0.1
     #: subset-row cuts added to the prices at once, and by how much they must be violated
     cuts: int = 15
     violation: float = 0.02

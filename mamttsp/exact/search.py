@@ -94,13 +94,12 @@ class Search:
 
     def search_tours(self, looks):
         """Look for tours by ruin and recreate, so many looks for each target, then among all their routes."""
-        looks, before = max(1, round(self.n * looks)), self.incumbent.objective
+        p, looks, before = self.parameters, max(1, round(self.n * looks)), self.incumbent.objective
+        iterations = min(self.n * p.annealing_step, p.annealing_longest)
         for look in range(looks):
             if self.clock.out():
                 break
-            if routes := self.annealing.run(
-                self.parameters.annealing_step, 1.0 - look / looks, 1.0 - (look + 1) / looks
-            ):
+            if routes := self.annealing.run(iterations, 1.0 - look / looks, 1.0 - (look + 1) / looks):
                 self.incumbent.offer(routes)
         self.recombine()
         self.found = self.incumbent.objective < before

@@ -9,11 +9,6 @@ import numpy as np
 
 from .evaluation import restricted
 
-#: a level, of a sum of levels, this close to 0 or 1 is not worth a decision
-_WHOLE = 0.01
-#: and of the number of routes
-_WHOLE_ROUTES = 0.1
-
 
 class Decision(NamedTuple):
     """Whether target w comes right after target u, or, with w = -1, whether agents of a layer of the graph serve u."""
@@ -44,27 +39,29 @@ class Decision(NamedTuple):
         return restricted(network, alive, starts, network.ends & self.keeps(target, depot, layer))
 
 
-def fleets(support, fleet):
+def fleets(support, fleet, whole):
     """Return two Fleets of alike agents, one of fewer and one of more routes than the fraction that the support has;
-    none if there is no such fraction. support: (route, level, layer) of each."""
+    none if there is no such fraction, or it is as close as `whole` to a whole number. support: (route, level, layer) of
+    each."""
     total = sum(level for _, level, _ in support)
     few = int(total)
-    if len(fleet.counts) > 1 or few < 1 or not _WHOLE_ROUTES < total - few < 1.0 - _WHOLE_ROUTES:
+    if len(fleet.counts) > 1 or few < 1 or not whole < total - few < 1.0 - whole:
         return []
     return [
         dataclasses.replace(fleet, counts=np.minimum(fleet.counts, few)), dataclasses.replace(fleet, least=few + 1)
     ]  # fmt: skip
 
 
-def decisions(support):
-    """Return the Decision that the support is most divided about, and its opposite; none if it is of one mind."""
+def decisions(support, whole):
+    """Return the Decision that the support is most divided about, and its opposite; none if it is of one mind: all
+    levels are as close as `whole` to 0 or 1."""
     flow = Counter()
     for route, level, layer in support:
         for u, w in zip(route, route[1:]):
             flow[int(u), int(w), -1] += level
         for u in route:
             flow[int(u), -1, layer] += level
-    undecided = {key: abs(level - 0.5) for key, level in flow.items() if _WHOLE < level < 1.0 - _WHOLE}
+    undecided = {key: abs(level - 0.5) for key, level in flow.items() if whole < level < 1.0 - whole}
     if not undecided:
         return []
     key = min(undecided, key=undecided.get)

@@ -1,12 +1,13 @@
 """The paths of the search, each forced by constants."""
 
 #: no enumeration fits, at whatever time
-NONE_FITS = dict.fromkeys(("enumeration", "enumeration_early", "enumeration_last"), 0.01)
+NONE_FITS = dict.fromkeys(("enumeration", "enumeration_alone"), 0.01)
 #: {name: fields of `Parameters` that differ from the defaults}
 FORCED = {
     "no enumeration fits at first": {**NONE_FITS, "piece": 9.0, "pieces_each": 4},
-    "the early enumeration": {"enumeration_early": 1e6},
-    "the last enumeration": {**NONE_FITS, "enumeration_last": 1e6, "piece": 9.0, "pieces_each": 4},
+    "every enumeration is tried": {"narrower": 1.0, "piece": 9.0, "pieces_each": 4},
+    "labels at one agent's present prices alone": {"prices": 0},
+    "labels at whatever prices were tried": {"prices": 1000, "apart": 0.0},
     "split as soon as shorter pieces were tried": {**NONE_FITS, "worthwhile": 2.0, "piece": 9.0, "pieces_each": 2},
     "split, without cuts": {**NONE_FITS, "worthwhile": 2.0, "violation": 10.0, "ng_size": 0},
     "ng-sets grow from nothing": {"ng_size": 0},

@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
-from mamttsp import build_graph, generate
+from mamttsp import build_graph, generate, solve
+from mamttsp.exact import Parameters
+from mamttsp.exact.column_generation import ColumnGeneration
 from mamttsp.exact.cuts import Cuts
 from mamttsp.exact.enumeration import Enumeration
 from mamttsp.exact.evaluation import evaluate, restricted
@@ -25,23 +27,23 @@ from tests.exact.networks import (
     unlike,
 )
 
-#: (seed, agents), and seeds of instances with two types of agents
+#: (seed, agents), and seeds of instances with two types of agents; labels are grown at 1 + seed % 3 prices
 CASES = [(seed, m) for seed in range(6) for m in (1, 2)] + [(seed, None) for seed in range(6)]
 
-NO_LIMIT = np.full(2, 1e9)
+NO_LIMIT = 1e9
 
 
-def _enumeration(evaluation, slack, whole=False, most=np.inf, budget=np.inf):
-    return Enumeration(evaluation, slack, len(evaluation.pi), whole, most, budget, np.inf, Watch())
+def _enumeration(evaluations, limit, whole=False, most=np.inf, budget=np.inf):
+    return Enumeration(evaluations, limit, whole, most, budget, np.inf, Watch())
 
 
-def _evaluation(seed, n_agents, cuts=3):
+def _evaluations(seed, n_agents, cuts=3):
     rng, graph = np.random.default_rng(seed), unlike(seed) if n_agents is None else small(seed)
     n, fleet = graph.n_targets, Fleet.of(graph) if n_agents is None else alike(n_agents)
     length, routes = best_solution(graph, fleet)
-    pi = rng.uniform(0.6, 1.4, n) * length / n
-    N = random_sets(rng, n)
-    return graph, length, routes, evaluate(network_of(graph, 6.0), N, pi, random_cuts(rng, n, cuts), fleet, 0.0)
+    pis = rng.uniform(0.6, 1.4, (1 + seed % 3, n)) * length / n
+    N, network, cuts = random_sets(rng, n), network_of(graph, 6.0), random_cuts(rng, n, cuts)
+    return graph, length, routes, [evaluate(network, N, pi, cuts, fleet, 0.0) for pi in pis]
 
 
 def _cost_by_set(found):
@@ -63,17 +65,17 @@ def _key(graph, route):
 
 @pytest.mark.parametrize("seed, n_agents", CASES)
 def test_the_sets_of_an_optimal_solution_are_columns_at_no_more_than_their_lengths(seed, n_agents):
-    graph, length, routes, evaluation = _evaluation(seed, n_agents)
-    cost = _cost_by_set(_enumeration(evaluation, evaluation.slack(length * (1 + 1e-7))))
+    graph, length, routes, evaluations = _evaluations(seed, n_agents)
+    cost = _cost_by_set(_enumeration(evaluations, length * (1 + 1e-7)))
     for route in routes:
         assert cost[_key(graph, route)] <= best_times(graph, list(route))[0] * (1 + 1e-7)
 
 
 @pytest.mark.parametrize("seed, n_agents", CASES)
 def test_every_route_within_the_slack_is_a_sequence_of_its_set(seed, n_agents):
-    graph, length, _, evaluation = _evaluation(seed, n_agents)
-    slack = evaluation.slack(length * (1 + 1e-7))
-    found = _enumeration(evaluation, slack)
+    graph, length, _, evaluations = _evaluations(seed, n_agents)
+    limit = length * (1 + 1e-7)
+    found = _enumeration(evaluations, limit)
     found.lead(np.ones(len(found.cost), dtype=bool))
     cost, columns, inside = _cost_by_set(found), {}, 0
     for column, key in enumerate(_keys(found)):
@@ -82,8 +84,8 @@ def test_every_route_within_the_slack_is_a_sequence_of_its_set(seed, n_agents):
     for route in flyable_routes(graph):
         tau = graph.tau[list(route)].tolist()
         shortest = best_times(graph, list(route))[0]
-        reduced = shortest - evaluation.pi[tau].sum() + pays(tau, in_full(evaluation.cuts))
-        if reduced <= slack[graph.layer[route[0]]] - 1e-6:
+        cheap = shortest + pays(tau, in_full(evaluations[0].cuts)) + 1e-6
+        if all(cheap - e.pi[tau].sum() <= e.slack(limit)[graph.layer[route[0]]] for e in evaluations):
             inside += 1
             assert cost[_key(graph, route)] <= shortest + 1e-6
             assert route in sequences[_key(graph, route)]
@@ -92,19 +94,19 @@ def test_every_route_within_the_slack_is_a_sequence_of_its_set(seed, n_agents):
 
 @pytest.mark.parametrize("seed, n_agents", CASES)
 def test_the_arcs_of_what_is_left_hold_an_optimal_solution(seed, n_agents):
-    graph, length, routes, evaluation = _evaluation(seed, n_agents)
-    found = _enumeration(evaluation, evaluation.slack(length * (1 + 1e-7)))
+    graph, length, routes, evaluations = _evaluations(seed, n_agents)
+    network, found = evaluations[0].network, _enumeration(evaluations, length * (1 + 1e-7))
     found.lead(np.ones(len(found.cost), dtype=bool))
-    left = restricted(evaluation.network, found.used_arcs(evaluation.arcs), *found.used_ends())
+    left = restricted(network, found.used_arcs(network.arcs), *found.used_ends())
     assert_flown(left, graph, routes)
-    assert len(left.arcs.head) < len(evaluation.arcs.head)
+    assert len(left.arcs.head) < len(network.arcs.head)
 
 
 def test_of_very_many_labels_none_is_lost():
     """More labels of one number of visits than there is room for at first: arrays and the table of chains grow."""
     graph = build_graph(generate(5, 60, seed=2))
     network, N = network_of(graph, 0.4), np.ones((5, 5), dtype=bool)
-    found = _enumeration(evaluate(network, N, np.zeros(5), Cuts.none(5), alike(1), 0.0), NO_LIMIT)
+    found = _enumeration([evaluate(network, N, np.zeros(5), Cuts.none(5), alike(1), 0.0)], NO_LIMIT)
     assert max(len(layer.left) for layer in found.layers) > 2**12
     cost, flyable = _cost_by_set(found), flyable_routes(graph)
     assert {_key(graph, route) for route in flyable} == cost.keys()
@@ -118,26 +120,50 @@ def test_of_very_many_labels_none_is_lost():
 
 @pytest.mark.parametrize("seed, n_agents", CASES)
 def test_every_column_can_be_flown(seed, n_agents):
-    graph, _, _, evaluation = _evaluation(seed, n_agents)
-    found, flyable = _enumeration(evaluation, NO_LIMIT), set(flyable_routes(graph))
+    graph, _, _, evaluations = _evaluations(seed, n_agents)
+    found, flyable = _enumeration(evaluations, NO_LIMIT), set(flyable_routes(graph))
     assert len(found.cost) and all(found.segments(column) in flyable for column in range(len(found.cost)))
     assert {_key(graph, route) for route in flyable} == _cost_by_set(found).keys()
 
 
 @pytest.mark.parametrize("seed", range(4))
 def test_for_one_agent_only_routes_through_all_targets_are_columns(seed):
-    graph, length, _, evaluation = _evaluation(seed, 1, cuts=0)
-    found = _enumeration(evaluation, evaluation.slack(length * (1 + 1e-7)), whole=True)
+    graph, length, _, evaluations = _evaluations(seed, 1, cuts=0)
+    found = _enumeration(evaluations, length * (1 + 1e-7), whole=True)
     assert set(_cost_by_set(found)) == {(0, frozenset(range(graph.n_targets)))}
 
 
 def test_what_needs_too_many_extensions_is_told():
-    _, _, _, evaluation = _evaluation(0, 1)
-    full = _enumeration(evaluation, NO_LIMIT)
+    _, _, _, evaluations = _evaluations(0, 1)
+    full = _enumeration(evaluations, NO_LIMIT)
     assert full.complete and full.size > 100
-    assert not _enumeration(evaluation, NO_LIMIT, budget=full.size // 2).complete
+    assert not _enumeration(evaluations, NO_LIMIT, budget=full.size // 2).complete
 
 
 def test_what_needs_too_many_labels_is_told():
-    _, _, _, evaluation = _evaluation(0, 1)
-    assert not _enumeration(evaluation, NO_LIMIT, most=_enumeration(evaluation, NO_LIMIT).size // 2).complete
+    _, _, _, evaluations = _evaluations(0, 1)
+    assert not _enumeration(evaluations, NO_LIMIT, most=_enumeration(evaluations, NO_LIMIT).size // 2).complete
+
+
+def test_an_agent_that_serves_all_targets_ends_early_what_will_not_last():
+    """More than the budget's share of the first half is gone after half of the visits."""
+    _, _, _, evaluations = _evaluations(0, 1, cuts=0)
+    full = _enumeration(evaluations, NO_LIMIT, whole=True)
+    early = _enumeration(evaluations, NO_LIMIT, whole=True, budget=1.5 * full.size)
+    assert full.complete and not early.complete and len(early.layers) < len(full.layers) - 1
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_other_prices_leave_fewer_labels_and_the_optimum(seed):
+    """Ten targets, one agent, the prices that column generation tries with three entries of a piece."""
+    instance = generate(10, 60, seed=seed)
+    graph, known = build_graph(instance), solve(instance, method="exact").objective
+    generation = ColumnGeneration(
+        network_of(graph, 6.0), 10, alike(1), np.full(10, known / 10), Parameters(), graph.size
+    )  # fmt: skip
+    limit = known * (1 + 1e-7)
+    generation.run(3, limit, Watch(), lambda bound: None)
+    evaluations = generation.evaluations(12, 0.15)
+    one, many = (_enumeration(own, limit, whole=True) for own in (evaluations[:1], evaluations))
+    assert many.size < 0.8 * one.size and len(many.cost)
+    assert many.cost.min() == pytest.approx(one.cost.min(), rel=1e-9) and many.cost.min() <= limit

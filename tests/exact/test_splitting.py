@@ -68,24 +68,24 @@ def _flies(network, route, times):
 
 def test_the_decision_is_where_the_support_is_most_divided():
     support = [([0, 1, 2], 0.5, 0), ([0, 2, 1], 0.5, 0)]
-    one, other = decisions(support)
+    one, other = decisions(support, 0.01)
     assert one._replace(holds=False) == other and one.holds
     assert (one.u, one.w) in {(0, 1), (1, 2), (0, 2), (2, 1)}
-    assert decisions([([0, 1, 2], 1.0, 0)]) == []
+    assert decisions([([0, 1, 2], 1.0, 0)], 0.01) == []
 
 
 def test_the_layer_decides_where_orders_agree():
-    one, other = decisions([([0, 1], 0.5, 0), ([0, 1], 0.5, 1)])
+    one, other = decisions([([0, 1], 0.5, 0), ([0, 1], 0.5, 1)], 0.01)
     assert one.w == other.w == -1 and one.layer == other.layer and one.holds != other.holds
 
 
 def test_fleets_are_below_and_above_a_fraction():
     support = [([0], 1.0, 0), ([1], 0.6, 0)]
-    few, many = fleets(support, alike(5))
+    few, many = fleets(support, alike(5), 0.1)
     assert few.counts.tolist() == [1] and few.least == 1
     assert many.counts.tolist() == [5] and many.least == 2
-    assert fleets([([0], 1.0, 0), ([1], 1.0, 0)], alike(5)) == []
-    assert fleets(support, Fleet(np.array([2, 2]), 1)) == []
+    assert fleets([([0], 1.0, 0), ([1], 1.0, 0)], alike(5), 0.1) == []
+    assert fleets(support, Fleet(np.array([2, 2]), 1), 0.1) == []
 
 
 @pytest.mark.parametrize("seed", range(6))

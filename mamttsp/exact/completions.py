@@ -1,0 +1,102 @@
+"""What it costs at least to complete a label, at the prices of several evaluations at once.
+
+Each evaluation proves on its own which labels no completion keeps within the limit, and other prices prove it of
+others: where the relaxation leaves a wide gap, a dozen of them leave a tenth of the labels.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..compiled import compiled
+from .legs import least
+from .ngroutes import penalty
+from .sets import disjoint, has
+
+
+class Completions(NamedTuple):
+    """Values to go at the multipliers pi (K, n) of K evaluations of one network, which has the same cuts at the same
+    prices in all of them, if any.
+
+    limit: (K, layers) the greatest reduced cost of a route; inside: (n,), sigma: (64,) as in `ngroutes.Prices`; first,
+    count: (K, Q) the entries of each piece among those of all evaluations, as in `ngroutes.Lists`; best: (K, Q, 2) the
+    least value to go at both ends, whatever is remembered.
+    """
+
+    pi: np.ndarray
+    limit: np.ndarray
+    inside: np.ndarray
+    sigma: np.ndarray
+    first: np.ndarray
+    count: np.ndarray
+    memory: np.ndarray
+    parity: np.ndarray
+    load: np.ndarray
+    left: np.ndarray
+    right: np.ndarray
+    best: np.ndarray
+
+
+def completions_of(evaluations, limit):
+    """Return the Completions of routes of a solution of value at most `limit`."""
+    lists, prices = [e.lists for e in evaluations], evaluations[0].prices
+    offset = np.cumsum([0] + [len(own.left) for own in lists])
+    first = np.array([own.first + start for own, start in zip(lists, offset)])
+    entries = (np.concatenate([own[i] for own in lists]) for i in range(2, 7))
+    return Completions(
+        np.array([e.pi for e in evaluations]), np.array([e.slack(limit) for e in evaluations]), prices.inside,
+        prices.sigma, first, np.array([own.count for own in lists]), *entries, np.array([_best(own) for own in lists]),
+    )  # fmt: skip
+
+
+@compiled
+def _best(lists):
+    """Return (Q, 2) the least values to go at both ends of each piece."""
+    best = np.full((len(lists.first), 2), np.inf)
+    for q in range(len(best)):
+        for y in range(lists.first[q], lists.first[q] + lists.count[q]):
+            best[q, 0] = min(best[q, 0], lists.left[y])
+            best[q, 1] = min(best[q, 1], lists.right[y])
+    return best
+
+
+@compiled
+def shifts(visited, x, pi, shift):
+    """Write to shift (K,) by how much the reduced cost of visits to set x is greater at each prices than at the
+    first."""
+    shift[:] = 0.0
+    for u in range(pi.shape[1]):
+        if has(visited, x, u):
+            for k in range(1, len(shift)):
+                shift[k] += pi[0, u] - pi[k, u]
+
+
+@compiled
+def completed(visited, odd, room, left, right, share, r, layer, w, shift, turn, completions):
+    """Tell whether at each prices an entry of the values to go at piece r keeps a label within the limit.
+
+    visited: (1, W) its set, odd: the cuts of whose rows it serves an odd number; room: what can still be carried; left,
+    right: its reduced cost at the first prices; w: its last target, shift: (K,) see `shifts`, of those before; turn:
+    (K,) the order in which prices are asked: those that say no move forward.
+    """
+    pi, limit, _, sigma, first, count, memory, parity, load, to_go_left, to_go_right, best = completions
+    for i in range(len(turn)):
+        k = turn[i]
+        more, allowed, found = shift[k] + pi[0, w] - pi[k, w], limit[k, layer], False
+        end = first[k, r] + count[k, r]
+        if min(left + more + best[k, r, 0], right + more + best[k, r, 1]) > allowed:
+            end = first[k, r]  # none of them
+        for y in range(first[k, r], end):
+            low, high = left + more + to_go_left[y], right + more + to_go_right[y]
+            if min(low, high) > allowed or load[y] > room or not disjoint(visited, 0, memory, y):
+                continue
+            hits = odd & parity[y]
+            pay = penalty(hits, sigma) if hits else 0.0
+            if pay + least(low, high, share) <= allowed:
+                found = True
+                break
+        if not found:
+            if i > 0:
+                turn[i], turn[i - 1] = turn[i - 1], k
+            return False
+    return True
