@@ -23,8 +23,8 @@ KEY = ["family", "seed", "time_limit"]
 
 
 def _in_library(name, n_agents, seed):
-    """The instance of the library's name with this seed."""
-    return make(parameters()[name.format(seed)]).with_agents(n_agents)
+    """The instance of the library's series of that name with this seed, which is its index for those in the library."""
+    return make(parameters()[name.format(0)] | {"seed": seed}).with_agents(n_agents)
 
 
 def _beyond(series, n, seed):
