@@ -109,7 +109,7 @@ def _chapter(path):
         sections=_named(r"Section ([IVX]+(?:-[A-Z])?)", text),
         modules=_modules(code),
         figures=_named(r"\.\./figures/([\w-]+)", code),
-        rows=_named(r"([\w-]+\.csv)", text + code),
+        rows=_named(r"((?:instances/)?[\w-]+\.csv)", text + code),
         exercises=exercises and f"exercises/{exercises.name}",
         tasks=exercises.read_text(encoding="utf-8").count('"## Task ') if exercises else 0,
         minutes=5 * -int(-minutes // 5),

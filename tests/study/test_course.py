@@ -8,7 +8,10 @@ from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 from mamttsp.study.course import Chapter, read_course, read_questions, read_sections, table
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
-PROSE = "# Flying\n\nSection IV-B of the paper, and Section III; rows from `exact.csv`.\n" + "word " * 600
+PROSE = (
+    "# Flying\n\nSection IV-B of the paper, and Section III; rows from `exact.csv`, `instances/best.csv`.\n"
+    + "word " * 600
+)
 IMPORTS = "import mamttsp\nfrom mamttsp import figures\nfrom mamttsp.motion import earliest_meeting"
 CODE = 'mamttsp.check(None, ())\nprint(source("micp", "speed"))\nfigures.save(ax, "../figures/flying-high")'
 
@@ -34,7 +37,7 @@ def test_a_chapter_is_what_its_cells_name(tmp_path):
         sections=("III", "IV-B"),
         modules=("mamttsp.figures", "mamttsp.formulations.pyomo.micp", "mamttsp.motion", "mamttsp.tours"),
         figures=("flying-high",),
-        rows=("exact.csv",),
+        rows=("exact.csv", "instances/best.csv"),
         exercises="exercises/01-fly.ipynb",
         tasks=2,
         minutes=10,
