@@ -19,6 +19,7 @@ def prepare(app, page, source):
         fold_solutions(notebook)
         show_markdown(notebook)
         show_printed_code(notebook)
+        drop_what_vanished(notebook)
         mark_columns(notebook)
         lead_to_pages(notebook)
         source[0] = json.dumps(notebook)
@@ -77,6 +78,18 @@ def _defines_a_function(text):
         return any(isinstance(node, ast.FunctionDef) for node in ast.walk(ast.parse(text)))
     except SyntaxError:
         return False
+
+
+def drop_what_vanished(notebook):
+    """Leave out what shows nothing any more, such as a line of progress that vanished at its end: an empty box."""
+    for cell in notebook["cells"]:
+        if cell["cell_type"] == "code":
+            cell["outputs"] = [output for output in cell["outputs"] if not _is_empty(output)]
+
+
+def _is_empty(output):
+    shown = output.get("data", {"text/plain": output.get("text", output["output_type"])})
+    return not any("".join(text).strip() if isinstance(text, (str, list)) else text for text in shown.values())
 
 
 def mark_columns(notebook):

@@ -57,6 +57,15 @@ def test_only_printed_code_is_shown_as_code():
     assert others == [printed("a = 1"), printed("no: code")]
 
 
+def test_what_vanished_leaves_no_empty_box():
+    vanished = {"output_type": "display_data", "metadata": {}, "data": {"text/plain": [""]}}
+    picture = {"output_type": "display_data", "metadata": {}, "data": {"image/png": "x", "text/plain": [""]}}
+    failed = {"output_type": "error", "ename": "E", "evalue": "", "traceback": []}
+    notebook = {"cells": [prose("Text"), code(outputs=[vanished, printed(" \n"), picture, printed("x"), failed])]}
+    pages.drop_what_vanished(notebook)
+    assert notebook["cells"][1]["outputs"] == [picture, printed("x"), failed]
+
+
 def test_only_printed_columns_keep_their_lines():
     columns, sentence = printed("a    b    c\n1    2    3\n"), printed("One sentence, and  two blanks in it.")
     notebook = {"cells": [code(outputs=[columns]), code(outputs=[sentence])]}

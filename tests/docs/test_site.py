@@ -120,6 +120,15 @@ def test_how_mathematics_is_set_is_beside_the_pages(site, pages):
     assert (site / "_static" / "tex-svg-full.js").is_file()
 
 
+def test_no_mathematics_is_left_as_text(site, pages):
+    """A dollar in prose is a formula that was not understood, and the words up to the next dollar are set as one."""
+    for path in pages:
+        page = BeautifulSoup((site / path).read_text(encoding="utf-8"), "html.parser")  # a copy, to take parts out of
+        for tag in page.select("code, pre, script, style, .math"):
+            tag.extract()
+        assert "$" not in "".join(article.get_text() for article in page.select("article")), path
+
+
 def test_terms_lead_to_the_glossary_and_show_what_they_mean(pages):
     glossary = pages[Path("glossary.html")]
     assert len(glossary.select("dt[id^=term-]")) > 40
