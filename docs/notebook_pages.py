@@ -95,10 +95,14 @@ def _is_empty(output):
 def mark_columns(notebook):
     """Give a cell that printed columns the tag `columns`: its lines must not wrap, as others do."""
     for cell in notebook["cells"]:
-        outputs = cell.get("outputs", [])
-        printed = "".join("".join(o.get("text", o.get("data", {}).get("text/plain", ""))) for o in outputs)
+        printed = "".join(map(_shown_as_text, cell.get("outputs", [])))
         if len(re.findall(r"\S {2,}\S.* {2,}\S", printed)) > 1:
             cell["metadata"]["tags"] = [*cell["metadata"].get("tags", []), "columns"]
+
+
+def _shown_as_text(output):
+    data = output.get("data", {})
+    return "" if "text/html" in data else "".join(output.get("text", data.get("text/plain", "")))
 
 
 def lead_to_pages(notebook):
