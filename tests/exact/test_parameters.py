@@ -66,7 +66,7 @@ def test_every_path_leads_to_the_optimum(path, name):
 
 def test_a_round_that_cannot_cut_is_not_repeated():
     steps = []
-    options = Options(gap=1e-4, time_limit=2.0, progress=steps.append)  # a round takes some ms
+    options = Options(gap=1e-4, time_limit=5.0, progress=steps.append)
     solve_exact(three_at_one_point(), options, Parameters(few_sets=0))
     bounds = [step.bound for step in steps if step.phase == "prices"]
     assert bounds.count(max(bounds)) <= 4
