@@ -28,6 +28,7 @@ nb_execution_mode = "off"
 nb_merge_streams = True
 nb_ipywidgets_js = {}  # sliders need a kernel, and their scripts a network
 myst_enable_extensions = ["amsmath", "colon_fence", "dollarmath", "substitution"]
+myst_dmath_double_inline = True  # a display in a list needs no blank lines around it, as in Jupyter
 myst_heading_anchors = 3
 myst_substitutions = made.everything()
 
@@ -49,7 +50,7 @@ html_title = "mamttsp"
 html_favicon = html_logo = "_static/mark.svg"
 html_static_path = ["_static", str(_mathjax)]
 html_css_files = ["site.css"]
-html_js_files = ["from_disk.js"]
+html_js_files = ["from_disk.js", "formulas_fit.js"]
 templates_path = ["_templates"]
 html_domain_indices = False
 html_sourcelink_suffix = ""  # a notebook is downloaded under its own name

@@ -19,6 +19,7 @@ def prepare(app, page, source):
         fold_solutions(notebook)
         show_markdown(notebook)
         show_printed_code(notebook)
+        drop_what_vanished(notebook)
         mark_columns(notebook)
         lead_to_pages(notebook)
         source[0] = json.dumps(notebook)
@@ -79,13 +80,29 @@ def _defines_a_function(text):
         return False
 
 
+def drop_what_vanished(notebook):
+    """Leave out what shows nothing any more, such as a line of progress that vanished at its end: an empty box."""
+    for cell in notebook["cells"]:
+        if cell["cell_type"] == "code":
+            cell["outputs"] = [output for output in cell["outputs"] if not _is_empty(output)]
+
+
+def _is_empty(output):
+    shown = output.get("data", {"text/plain": output.get("text", output["output_type"])})
+    return not any("".join(text).strip() if isinstance(text, (str, list)) else text for text in shown.values())
+
+
 def mark_columns(notebook):
     """Give a cell that printed columns the tag `columns`: its lines must not wrap, as others do."""
     for cell in notebook["cells"]:
-        outputs = cell.get("outputs", [])
-        printed = "".join("".join(o.get("text", o.get("data", {}).get("text/plain", ""))) for o in outputs)
+        printed = "".join(map(_shown_as_text, cell.get("outputs", [])))
         if len(re.findall(r"\S {2,}\S.* {2,}\S", printed)) > 1:
             cell["metadata"]["tags"] = [*cell["metadata"].get("tags", []), "columns"]
+
+
+def _shown_as_text(output):
+    data = output.get("data", {})
+    return "" if "text/html" in data else "".join(output.get("text", data.get("text/plain", "")))
 
 
 def lead_to_pages(notebook):

@@ -46,12 +46,18 @@ def test_a_solver_begins_from_the_tours(method, modeler, solver, problem):
     assert answer.objective <= start.objective * (1 + 1e-6)
 
 
-@pytest.mark.parametrize("modeler", ["pyomo", "cvxpy"])
-def test_gurobi_begins_from_the_tours(modeler, capfd):
+# as many targets as the licence allows that comes with the package
+@pytest.mark.parametrize(
+    "method, modeler, n_targets",
+    [("micp", "pyomo", 2), ("micp", "cvxpy", 1), ("baseline", "cvxpy", 2), ("nonconvex", "pyomo", 2)],
+)
+def test_gurobi_begins_from_the_tours(method, modeler, n_targets, capfd):
     pytest.importorskip("gurobipy")
-    small = generate(n_targets=1, total_window=20, seed=7)  # within the licence that comes with the package
-    solution = solve(small, method="micp", modeler=modeler, solver="gurobi", start=solve(small), verbose=True)
-    assert solution.status == "optimal" and "Loaded user MIP start" in capfd.readouterr().out
+    small = generate(n_targets, total_window=20, seed=7)
+    best = solve(small)
+    solution = solve(small, method=method, modeler=modeler, solver="gurobi", start=best, verbose=True)
+    assert solution.status == "optimal" and solution.objective == pytest.approx(best.objective, rel=2e-4)
+    assert "Loaded user MIP start" in capfd.readouterr().out
 
 
 @pytest.mark.parametrize("how", [{"method": "exact"}, {"method": "micp", "solver": "scip"}])

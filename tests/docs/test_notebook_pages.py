@@ -57,11 +57,21 @@ def test_only_printed_code_is_shown_as_code():
     assert others == [printed("a = 1"), printed("no: code")]
 
 
+def test_what_vanished_leaves_no_empty_box():
+    vanished = {"output_type": "display_data", "metadata": {}, "data": {"text/plain": [""]}}
+    picture = {"output_type": "display_data", "metadata": {}, "data": {"image/png": "x", "text/plain": [""]}}
+    failed = {"output_type": "error", "ename": "E", "evalue": "", "traceback": []}
+    notebook = {"cells": [prose("Text"), code(outputs=[vanished, printed(" \n"), picture, printed("x"), failed])]}
+    pages.drop_what_vanished(notebook)
+    assert notebook["cells"][1]["outputs"] == [picture, printed("x"), failed]
+
+
 def test_only_printed_columns_keep_their_lines():
     columns, sentence = printed("a    b    c\n1    2    3\n"), printed("One sentence, and  two blanks in it.")
-    notebook = {"cells": [code(outputs=[columns]), code(outputs=[sentence])]}
+    frame = {"output_type": "execute_result", "data": {"text/html": "<table>", "text/plain": columns["text"]}}
+    notebook = {"cells": [code(outputs=[columns]), code(outputs=[sentence]), code(outputs=[sentence, frame])]}
     pages.mark_columns(notebook)
-    assert ["columns" in cell["metadata"]["tags"] for cell in notebook["cells"]] == [True, False]
+    assert ["columns" in cell["metadata"]["tags"] for cell in notebook["cells"]] == [True, False, False]
 
 
 def test_links_to_docs_lead_to_pages_and_those_to_the_glossary_to_a_term():

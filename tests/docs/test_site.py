@@ -120,6 +120,18 @@ def test_how_mathematics_is_set_is_beside_the_pages(site, pages):
     assert (site / "_static" / "tex-svg-full.js").is_file()
 
 
+def test_no_mathematics_is_left_as_text(pages):
+    """A dollar in prose is a formula that was not understood, and the words up to the next dollar are set as one."""
+    articles = [(path, article) for path, page in pages.items() for article in page.select("article")]
+    dollars = [(path, text) for path, article in articles for text in article.find_all(string=re.compile(r"\$"))]
+    assert articles and not [(path, text) for path, text in dollars if not _is_literal(text)]
+
+
+def _is_literal(text):
+    names = ("code", "pre", "script", "style")
+    return any(tag.name in names or "math" in tag.get("class", []) for tag in text.parents)
+
+
 def test_terms_lead_to_the_glossary_and_show_what_they_mean(pages):
     glossary = pages[Path("glossary.html")]
     assert len(glossary.select("dt[id^=term-]")) > 40

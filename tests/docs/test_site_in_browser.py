@@ -65,6 +65,27 @@ def test_mathematics_is_drawn(site, page, name):
     assert not page.locator("[data-mml-node=merror]").count() and not page.complaints
 
 
+@pytest.mark.parametrize("name", ["04-nonconvex", "09-exact-solver"])
+def test_formulas_keep_to_their_column(site, page, name):
+    """At a desk all of them fit; on a phone the widest ones scroll, but reach no further than their column."""
+    page.goto((site / "notebooks" / f"{name}.html").as_uri())
+    page.wait_for_function("document.querySelectorAll('.math:not(:has(mjx-container))').length === 0")
+    page.wait_for_selector(".math[style*=font-size]")  # the widest has been set smaller
+    beyond = """selector => [...document.querySelectorAll(selector)]
+        .map(e => [e, e.closest("p, li, td, dd, div:not(.math)")].map(box => box.getBoundingClientRect().right))
+        .filter(([right, column]) => right > column + 1)"""
+    at_a_desk = page.viewport_size["width"] == DESK
+    assert not page.evaluate(beyond, ".math svg" if at_a_desk else ".math")
+
+
+def test_columns_of_data_frames_stand_apart(site, page):
+    page.goto((site / "notebooks" / "01-first-solve.html").as_uri())
+    cells = page.locator("table.dataframe :is(th, td)")
+    styles = cells.evaluate_all("all => all.map(e => getComputedStyle(e)).map(s => [s.textAlign, s.paddingLeft])")
+    assert len(styles) > 50 and {align for align, _ in styles} == {"right"}
+    assert min(float(room.removesuffix("px")) for _, room in styles) > 4
+
+
 def test_search_finds(site, page):
     page.goto((site / "search.html").as_uri() + "?q=perspective")
     page.wait_for_selector("#search-results li a")
