@@ -191,8 +191,10 @@ class ColumnGeneration:
             if endless and self.grow([pieces.target[route] for route in endless]):
                 continue
             # Values are tight near the best prices; far from them they may prove less of the same route.
-            known = self.best if self.best.network is evaluation.network else evaluation
-            lengths = [max(evaluation.length(route), known.length(route)) for route in routes]
+            proving = [evaluation]
+            if self.best is not evaluation and self.best.network is evaluation.network:
+                proving.append(self.best)
+            lengths = [max(own.length(route) for own in proving) for route in routes]
             segments = [tuple(int(i) for i in pieces.segment[route]) for route in routes]
             agents = [int(pieces.layer[route[0]]) for route in routes]
             self.offer([pieces.target[route] for route in routes], segments, agents, lengths)
