@@ -41,12 +41,19 @@ def completions_of(evaluations, limit):
     """Return the Completions of routes of a solution of value at most `limit`."""
     lists, prices = [e.lists for e in evaluations], evaluations[0].prices
     offset = np.cumsum([0] + [len(own.left) for own in lists])
-    first = np.array([own.first + start for own, start in zip(lists, offset)])
-    entries = (np.concatenate([own[i] for own in lists]) for i in range(2, 7))
+    entries = [
+        np.concatenate([getattr(own, name) for own in lists]) for name in ("memory", "parity", "load", "left", "right")
+    ]
     return Completions(
-        np.array([e.pi for e in evaluations]), np.array([e.slack(limit) for e in evaluations]), prices.inside,
-        prices.sigma, first, np.array([own.count for own in lists]), *entries, np.array([_best(own) for own in lists]),
-    )  # fmt: skip
+        np.array([e.pi for e in evaluations]),
+        np.array([e.slack(limit) for e in evaluations]),
+        prices.inside,
+        prices.sigma,
+        np.array([own.first + start for own, start in zip(lists, offset)]),
+        np.array([own.count for own in lists]),
+        *entries,
+        np.array([_best(own) for own in lists]),
+    )
 
 
 @compiled
@@ -62,8 +69,7 @@ def _best(lists):
 
 @compiled
 def shifts(visited, x, pi, shift):
-    """Write to shift (K,) by how much the reduced cost of visits to set x is greater at each prices than at the
-    first."""
+    """Write to shift (K,) how much more the visits to set x cost at each of the prices than at the first."""
     shift[:] = 0.0
     for u in range(pi.shape[1]):
         if has(visited, x, u):
@@ -73,10 +79,10 @@ def shifts(visited, x, pi, shift):
 
 @compiled
 def completed(visited, odd, room, left, right, share, r, layer, w, shift, turn, completions):
-    """Tell whether at each prices an entry of the values to go at piece r keeps a label within the limit.
+    """Tell whether at each of the prices an entry of the values to go at piece r keeps a label there within the limit.
 
-    visited: (1, W) its set, odd: the cuts of whose rows it serves an odd number; room: what can still be carried; left,
-    right: its reduced cost at the first prices; w: its last target, shift: (K,) see `shifts`, of those before; turn:
+    visited: (1, W) its set; odd: the cuts of whose rows that has an odd number; room: what it can still carry; left,
+    right: its reduced cost at the first prices; w: its last target, shift: (K,) of those before, see `shifts`; turn:
     (K,) the order in which prices are asked: those that say no move forward.
     """
     pi, limit, _, sigma, first, count, memory, parity, load, to_go_left, to_go_right, best = completions
