@@ -44,6 +44,7 @@ VARIED = {
     "first_pieces": (200, 5000),
     "annealing": (0.1, 0.5),
     "annealing_later": (0.0, 1.0),
+    "annealing_more": (1.0, 4.0),
     "grid": (12, 48),
     "grid_slacks": ((0.5,), (1.0,)),
     "removed": (4.0, 12.0),

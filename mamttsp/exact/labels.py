@@ -125,7 +125,8 @@ def _extend(old, pieces, arcs, completions, most, budget):
         tried += start[q + 1] - start[q]
         if tried > budget:
             return new, count, heir, links[:0], tried, False
-        shifts(old.visited, x, pi, shift)
+        if len(pi) > 1:
+            shifts(old.visited, x, pi, shift)
         for arc in range(start[q], start[q + 1]):
             r = heads[arc]
             w = target[r]

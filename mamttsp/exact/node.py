@@ -61,7 +61,7 @@ class Node:
                 break
         if not routes and not self.over():
             if not self.near() and (self.first or self.search.found):
-                self.search.search_tours(p.annealing_later)
+                self.search.search_more_tours()
             if self.over() or self.strengthen(self.worthwhile(before)):
                 return [self]
         if self.over():

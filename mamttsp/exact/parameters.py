@@ -32,10 +32,11 @@ class Parameters:
     pieces_each: int = 8
     #: and of all together, at most
     first_pieces: int = 1500
-    #: looks of ruin and recreate, for each target, at first and in a round that leaves a wide gap; iterations of one,
-    #: for each target, and at most
+    #: looks of ruin and recreate, for each target, at first and in a round that leaves a wide gap, and by how much the
+    #: next such round has more; iterations of one, for each target, and at most
     annealing: float = 0.2
     annealing_later: float = 0.3
+    annealing_more: float = 2.0
     annealing_step: int = 25
     annealing_longest: int = 500
     #: its time grid: points for each target; by how many steps a flight may come late, in turn: with 1.0 the grid holds

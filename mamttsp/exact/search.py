@@ -25,7 +25,7 @@ class Search:
         self.graph, self.n, self.fleet, self.m = graph, graph.n_targets, fleet, fleet.n_agents
         self.clock, self.parameters, self.progress, self.annealing = clock, parameters, progress, annealing
         self.standing, self.unit, self.nodes = Standing(graph, fleet, gap), graph.size or 1.0, []
-        self.labels, self.columns, self.found = 0, 0, False
+        self.labels, self.columns, self.found, self.looks = 0, 0, False, parameters.annealing_later
         if start:
             self.incumbent.offer(start)
 
@@ -91,6 +91,11 @@ class Search:
             legs = leg_lengths(self.graph, route, times)
             pi[self.graph.tau[list(route)]] = 0.25 * (legs[:-1] + legs[1:])
         return pi
+
+    def search_more_tours(self):
+        """Look for tours again, longer each time, as rounds get longer."""
+        self.search_tours(self.looks)
+        self.looks *= self.parameters.annealing_more
 
     def search_tours(self, looks):
         """Look for tours by ruin and recreate, so many looks for each target, then among all their routes."""
