@@ -70,6 +70,7 @@ VARIED = {
     "choice_few": (20_000, 10**7),
     "few_sets": (1000, 10**7),
     "few_sequences": (100, 10_000),
+    "more_sequences": (1.0, 4.0),
     "finer": (1.5, 4.0),
     "finer_after_routes": (2.0, 6.0),
 }

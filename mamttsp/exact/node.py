@@ -28,7 +28,7 @@ class Node:
         self.n, self.parameters, self.clock = search.n, search.parameters, search.clock
         self.incumbent, self.bound, self.exhausted, self.enumerated = search.incumbent, 0.0, False, False
         self.most_pieces, self.means, self.first, self.enumerated_at = search.parameters.most_pieces, 0, True, np.inf
-        self.finer_from, self.splits = -np.inf, False
+        self.finer_from, self.splits, self.few_sequences = -np.inf, False, search.parameters.few_sequences
 
     @property
     def limit(self):
@@ -192,7 +192,7 @@ class Node:
         """Settle the competing sets of targets by timing their sequences."""
 
         def settle_set(columns):
-            sequences = routes.sequences(columns, self.parameters.few_sequences)
+            sequences = routes.sequences(columns, int(self.few_sequences))
             if sequences is None:
                 return None
             found = []
@@ -215,6 +215,7 @@ class Node:
             self.clock,
         )  # fmt: skip
         self.search.recombine()
+        self.few_sequences *= self.parameters.more_sequences  # shorter pieces take longer, and leave fewer sequences
         self.exhausted = done and not self.over()
 
     def refine(self, routes=None):
@@ -230,8 +231,9 @@ class Node:
         width = self.width / (p.finer_after_routes if routes is not None else p.finer)
         if width < p.thinnest * graph.horizon:  # thinner pieces drown in rounding errors
             return False
-        width = max(width, self.shortest(network))
-        if len(network.arcs.head) * (self.width / width) ** 2 > p.most_arcs:  # no memory for that
+        room = min(p.most_arcs, p.arcs_rate * self.clock.seconds)
+        width = max(width, self.shortest(network), self.width * np.sqrt(len(network.arcs.head) / room))
+        if width > p.hardly * self.width:  # no memory, or no time, for much shorter ones
             return False
         network = refined(network, graph, width, self.incumbent.visit_times(), range(self.n))
         self.generation.moved(network)
@@ -242,6 +244,6 @@ class Node:
         """Return the length of pieces of which there may be as many as there is room for, after making some if these
         would hardly be shorter."""
         length, used = (network.pieces.b - network.pieces.a).sum(), len(network.starts)
-        while (shortest := length / max(self.most_pieces - used, 1)) > 0.9 * self.width:
+        while (shortest := length / max(self.most_pieces - used, 1)) > self.parameters.hardly * self.width:
             self.most_pieces *= 2
         return shortest

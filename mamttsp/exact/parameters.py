@@ -85,14 +85,19 @@ class Parameters:
     #: subset-row cuts added to the prices at once, and by how much they must be violated
     cuts: int = 15
     violation: float = 0.02
-    #: sets of targets that are settled, and sequences of segments that are timed for one
+    #: sets of targets that are settled, and sequences of segments that are timed for one, by how much more each time
     few_sets: int = 500_000
     few_sequences: int = 1500
+    more_sequences: float = 10.0
     #: by how much pieces get shorter, without and with all routes known
     finer: float = 2.0
     finer_after_routes: float = 3.0
     #: pieces of a network, at first: the number of arcs grows with the square; and arcs, which take 100 bytes each
     most_pieces: int = 4000
     most_arcs: int = 20_000_000
+    #: arcs of a network that are made and evaluated per second, an underestimate, to stop in time
+    arcs_rate: float = 2e5
+    #: pieces of more than this share of the present length are hardly shorter
+    hardly: float = 0.9
     #: least length of a piece, as a share of the horizon
     thinnest: float = 1e-8
