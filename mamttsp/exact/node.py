@@ -190,31 +190,35 @@ class Node:
 
     def settle(self, sets, routes):
         """Settle the competing sets of targets by timing their sequences."""
+        shortest = {}  # of a set, by its first column: the route
 
         def settle_set(columns):
             sequences = routes.sequences(columns, int(self.few_sequences))
             if sequences is None:
                 return None
-            found = []
+            best = np.inf
             for route in sequences:
                 if self.clock.out():
                     return None
-                if timed := self.incumbent.timed(route):
-                    found.append(timed[2])
-                    if self.m == 1:
-                        self.incumbent.offer([route])
-            return min(found, default=np.inf)
+                if (timed := self.incumbent.timed(route)) is None:
+                    continue
+                if self.m == 1:
+                    self.incumbent.offer([route])
+                if timed[2] < best:
+                    best, shortest[columns[0]] = timed[2], route
+            return best
 
         def on_bound(bound):
             self.raise_bound(bound)
             self.search.recombine()
             self.search.report("settle")
 
-        done = settle(
+        done, chosen = settle(
             sets, self.generation.fleet, lambda: self.limit, self.search.unit, self.parameters, settle_set, on_bound,
             self.clock,
         )  # fmt: skip
-        self.search.recombine()
+        if chosen:
+            self.incumbent.offer([shortest[columns[0]] for columns in chosen])
         self.few_sequences *= self.parameters.more_sequences  # shorter pieces take longer, and leave fewer sequences
         self.exhausted = done and not self.over()
 

@@ -39,8 +39,8 @@ class Sets:
 
 
 def settle(sets, fleet, limit, unit, parameters, settle_set, on_bound, clock):
-    """Settle sets until nothing below the limit is left, the choice is all settled, or time is up; return whether
-    nothing is left to do.
+    """Settle sets until nothing below the limit is left, the choice is all settled, or time is up; return (done,
+    chosen): whether nothing is left to do, and the columns of each set of a best choice, all settled, if that is why.
 
     limit(): value from which solutions need not be looked at, it may fall on the way; settle_set(columns): the least
     cost of the set's routes below the limit, infinite if there is none, None if that cannot be told; on_bound(bound):
@@ -52,7 +52,7 @@ def settle(sets, fleet, limit, unit, parameters, settle_set, on_bound, clock):
             sets.members, sets.agents, sets.cost, fleet, limit(), unit, parameters, clock.seconds, rows
         )  # fmt: skip
         if relaxed is None:
-            return False
+            break
         rows = relaxed.rows
         bound, alive = relaxed.bound, relaxed.slack >= 0.0
         alive[relaxed.support] = True
@@ -62,14 +62,14 @@ def settle(sets, fleet, limit, unit, parameters, settle_set, on_bound, clock):
             bound, competing = choose(sets.members, sets.agents, sets.cost, fleet, limit(), unit, clock.seconds)
         on_bound(min(bound, limit()))
         if bound >= limit() or competing is None:
-            return bound >= limit()
+            return bound >= limit(), []
         if sets.settled[competing].all():
-            return True
+            return True, [sets.columns[j] for j in competing]
         for j in competing:
             if not sets.settled[j] and not clock.out():
                 cost = settle_set(sets.columns[j])
                 if cost is None:
-                    return False
+                    return False, []
                 sets.cost[j] = max(sets.cost[j], min(cost, 2.0 * limit() + unit))
                 sets.settled[j] = True
-    return False
+    return False, []

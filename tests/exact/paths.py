@@ -32,6 +32,7 @@ FORCED = {
     "columns are forgotten": {"most_columns": 10},
     "a tiny box": {"box": 1e-4},
     "no annealing worth the name": {"annealing": 0.0, "annealing_step": 1, "timed": 0},
+    "hardly a choice among known routes": {"choice_seconds": 0.0, "annealing": 0.0, "annealing_step": 1, "timed": 0},
     "any cut that is violated": {"violation": 1e-6, "cuts": 2, **NONE_FITS, "piece": 9.0, "pieces_each": 4},
     "a choice without cuts, from one column on": {"choice_columns": 1, "choice_few": 0},
     "pieces get much shorter": {"finer": 8.0, "finer_after_routes": 8.0, "piece": 9.0, "pieces_each": 2},

@@ -96,3 +96,11 @@ def test_parameters_are_not_changed_by_a_run():
     assert dataclasses.astuple(parameters) == before
     with pytest.raises(dataclasses.FrozenInstanceError):
         parameters.ng_size = 1
+
+
+def test_the_routes_of_a_settled_choice_are_taken():
+    """Even if there was no time for a choice among the routes known."""
+    instance = generate(10, 60, 3, seed=4)
+    hardly = Parameters(**FORCED["hardly a choice among known routes"])
+    solution = solve_exact(instance, Options(gap=1e-4, time_limit=60), hardly)
+    assert_certificate(instance, solution, solve_exact(instance, Options(gap=1e-6)).objective)

@@ -60,7 +60,9 @@ class _Run:
             return true[key]
 
         with Watch(30.0) as clock:
-            self.done = settle(sets, fleet, lambda: limit, UNIT, Parameters(), settle_set, self.bounds.append, clock)
+            self.done, self.chosen = settle(
+                sets, fleet, lambda: limit, UNIT, Parameters(), settle_set, self.bounds.append, clock
+            )
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -72,6 +74,10 @@ def test_the_bound_reaches_the_best_choice_or_the_limit(seed):
         assert run.done and max(run.bounds) == pytest.approx(min(best, limit), rel=1e-6)
         assert all(bound <= min(best, limit) * (1 + 1e-9) for bound in run.bounds)
         assert len(run.asked) == len(set(run.asked))
+        if best < limit:
+            chosen = [columns[own[0]] for own in run.chosen]
+            assert sorted(u for _, S in chosen for u in S) == list(range(5))
+            assert sum(true[key] for key in chosen) == pytest.approx(best, rel=1e-6)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
