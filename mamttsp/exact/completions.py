@@ -10,7 +10,7 @@ import numpy as np
 
 from ..compiled import compiled
 from .legs import least
-from .ngroutes import penalty
+from .ngroutes import Lists, penalty
 from .sets import disjoint, has
 
 
@@ -18,22 +18,16 @@ class Completions(NamedTuple):
     """Values to go at the multipliers pi (K, n) of K evaluations of one network, which has the same cuts at the same
     prices in all of them, if any.
 
-    limit: (K, layers) the greatest reduced cost of a route; inside: (n,), sigma: (64,) as in `ngroutes.Prices`; first,
-    count: (K, Q) the entries of each piece among those of all evaluations, as in `ngroutes.Lists`; best: (K, Q, 2) the
-    least value to go at both ends, whatever is remembered.
+    limit: (K, layers) the greatest reduced cost of a route; inside: (n,), sigma: (64,) as in `ngroutes.Prices`; lists:
+    the Lists of all evaluations, one behind the other, with first and count (K, Q); best: (K, Q, 2) the least value to
+    go at both ends, whatever is remembered.
     """
 
     pi: np.ndarray
     limit: np.ndarray
     inside: np.ndarray
     sigma: np.ndarray
-    first: np.ndarray
-    count: np.ndarray
-    memory: np.ndarray
-    parity: np.ndarray
-    load: np.ndarray
-    left: np.ndarray
-    right: np.ndarray
+    lists: Lists
     best: np.ndarray
 
 
@@ -41,17 +35,15 @@ def completions_of(evaluations, limit):
     """Return the Completions of routes of a solution of value at most `limit`."""
     lists, prices = [e.lists for e in evaluations], evaluations[0].prices
     offset = np.cumsum([0] + [len(own.left) for own in lists])
-    entries = [
-        np.concatenate([getattr(own, name) for own in lists]) for name in ("memory", "parity", "load", "left", "right")
-    ]
+    first = np.array([own.first + start for own, start in zip(lists, offset)])
+    count = np.array([own.count for own in lists])
+    together = Lists(first, count, *map(np.concatenate, zip(*(own[2:] for own in lists))))
     return Completions(
         np.array([e.pi for e in evaluations]),
         np.array([e.slack(limit) for e in evaluations]),
         prices.inside,
         prices.sigma,
-        np.array([own.first + start for own, start in zip(lists, offset)]),
-        np.array([own.count for own in lists]),
-        *entries,
+        together,
         np.array([_best(own) for own in lists]),
     )
 
@@ -85,7 +77,8 @@ def completed(visited, odd, room, left, right, share, r, layer, w, shift, turn, 
     right: its reduced cost at the first prices; w: its last target, shift: (K,) of those before, see `shifts`; turn:
     (K,) the order in which prices are asked: those that say no move forward.
     """
-    pi, limit, _, sigma, first, count, memory, parity, load, to_go_left, to_go_right, best = completions
+    pi, limit, _, sigma, lists, best = completions
+    first, count, memory, parity, load, to_go_left, to_go_right = lists
     for i in range(len(turn)):
         k = turn[i]
         more, allowed, found = shift[k] + pi[0, w] - pi[k, w], limit[k, layer], False

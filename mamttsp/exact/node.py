@@ -219,6 +219,7 @@ class Node:
         )  # fmt: skip
         if chosen:
             self.incumbent.offer([shortest[columns[0]] for columns in chosen])
+        self.search.recombine()
         self.few_sequences *= self.parameters.more_sequences  # shorter pieces take longer, and leave fewer sequences
         self.exhausted = done and not self.over()
 
