@@ -236,7 +236,7 @@ class Node:
         width = self.width / (p.finer_after_routes if routes is not None else p.finer)
         if width < p.thinnest * graph.horizon:  # thinner pieces drown in rounding errors
             return False
-        room = min(p.most_arcs, p.arcs_rate * self.clock.seconds)
+        room = max(min(p.most_arcs, p.arcs_rate * self.clock.seconds), 1.0)  # time may be up
         width = max(width, self.shortest(network), self.width * np.sqrt(len(network.arcs.head) / room))
         if width > p.hardly * self.width:  # no memory, or no time, for much shorter ones
             return False

@@ -11,8 +11,10 @@ from scipy import sparse
 from ..silent_highs import SilentHighs
 from .cuts import separate
 
-#: HiGHS's answers hold to within its tolerances, 1e-9 of the unit for each row
+#: HiGHS's answers hold to within its tolerances, 1e-9 of what costs are counted in for each row
 _ACCURACY = 1e-8
+#: and they are counted in no less than this share of the size of the area
+_LEAST_SCALE = 1e-4
 
 
 class Relaxed(NamedTuple):
@@ -39,6 +41,7 @@ def relax_choice(members, agents, cost, fleet, limit, unit, parameters, time_lim
     p, (n, J) = parameters, members.shape
     rows = np.zeros((0, n), bool) if rows is None else rows
     best, alive, slack, end = None, np.arange(J), np.full(J, np.inf), time.monotonic() + time_limit
+    unit = _scale(limit, unit)
     while True:
         left = end - time.monotonic()
         found = _relax(members[:, alive], agents[alive], cost[alive], fleet, limit, unit, left, rows, p.choice_columns)
@@ -100,6 +103,7 @@ def choose(members, agents, cost, fleet, limit, unit, time_limit=np.inf):
     J = members.shape[1]
     if J == 0:
         return limit, None
+    unit = _scale(limit, unit)
     highs = _model(members, agents, cost, fleet, limit, unit, time_limit, sparse.csr_matrix((0, J)))
     highs.changeColsIntegrality(J, np.arange(J, dtype=np.int32), np.full(J, highspy.HighsVarType.kInteger))
     for name in ("mip_rel_gap", "mip_abs_gap"):
@@ -112,6 +116,11 @@ def choose(members, agents, cost, fleet, limit, unit, time_limit=np.inf):
     used = np.bincount(agents[chosen], minlength=len(fleet.counts))
     whole = (used <= fleet.counts).all() and (members[:, chosen].sum(axis=1) == 1.0).all()
     return min(bound, limit), chosen if whole and len(chosen) else None
+
+
+def _scale(limit, unit):
+    """Return what to count costs in: where the limit is far below the size of the area, so is a gap that counts."""
+    return max(min(abs(limit), unit), _LEAST_SCALE * unit)
 
 
 def _model(members, agents, cost, fleet, limit, unit, time_limit, paid):

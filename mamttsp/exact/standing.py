@@ -47,7 +47,7 @@ class Standing:
         """Take a bound that holds for all solutions below the limit: above that it says nothing."""
         capped = min(bound, self.limit)
         safe = capped if capped == self.limit else capped - _SAFETY * abs(capped)
-        self.bound = min(max(self.bound, safe), self.upper)
+        self.bound = float(min(max(self.bound, safe), self.upper))
 
     def figures(self):
         """Return (objective, bound, relative gap), the objective None without tours."""

@@ -49,6 +49,11 @@ def test_one_path_leads_to_what_enumeration_finds(kind, seed):
     _assert_found(problem, optimum(problem), _path(kind, seed))
 
 
+def test_an_optimum_of_thousandths_is_proved_in_an_area_of_hundreds():
+    problem = hostile("magnitudes", 1066)
+    assert_certificate(problem, solve_exact(problem, Options(time_limit=60.0)), optimum(problem))
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("seed", MANY)

@@ -6,8 +6,11 @@ import sys
 import pytest
 
 from mamttsp import generate, paper_instance, solve
+from mamttsp.exact import Parameters, solve_exact
+from mamttsp.options import Options, Watch
 from tests.exact.certificates import assert_brackets, assert_sound
 from tests.exact.enumeration import optimum
+from tests.exact.paths import FORCED
 from tests.exact.processes import solving
 
 LIMITS = (0.1, 0.5, 2.0)
@@ -49,6 +52,20 @@ def test_a_limit_that_leaves_a_gap_is_not_called_optimal():
     problem = paper_instance(20, 0, 60, 2)
     solution = solve(problem, time_limit=0.5, gap=1e-6)
     assert solution.status in ("feasible", "unknown") and (solution.gap is None or solution.gap > 1e-6)
+
+
+@pytest.mark.parametrize("path", ["pieces get much shorter", "no set is settled"])
+def test_whenever_time_is_up_what_stands_is_returned(monkeypatch, path):
+    """Up at the k-th question for the time that is left, at ever greater k."""
+    problem, statuses, k = generate(6, 60, 2, seed=1), set(), 0
+    expected = optimum(problem)
+    while "optimal" not in statuses and k < 300:
+        k, asked = k + 1 + k // 50, itertools.count()
+        monkeypatch.setattr(Watch, "left", property(lambda _, k=k, asked=asked: 0.0 if next(asked) >= k else 60.0))
+        solution = solve_exact(problem, Options(time_limit=60.0), Parameters(**FORCED[path]))
+        assert_brackets(problem, solution, expected)
+        statuses.add(solution.status)
+    assert "feasible" in statuses
 
 
 class _Interrupt:

@@ -83,3 +83,8 @@ def test_costs_far_from_one_are_chosen_as_well():
     for scale in (1e-6, 1e9):
         bound, found = choose(_sparse(members), np.zeros(3, int), scale * np.ones(3), alike(3), 10 * scale, scale)
         assert bound == pytest.approx(3 * scale) and sorted(found) == [0, 1, 2]
+
+
+def test_costs_far_below_the_unit_are_bounded_as_closely():
+    bound, found = choose(_sparse(np.eye(3, dtype=bool)), np.zeros(3, int), np.full(3, 1e-5), alike(3), 1e-4, UNIT)
+    assert sorted(found) == [0, 1, 2] and 3e-5 * (1 - 1e-5) <= bound <= 3e-5
