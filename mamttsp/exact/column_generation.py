@@ -144,16 +144,19 @@ class ColumnGeneration:
         self.work += int(found.lists.count[self.network.arcs.head].sum())
         return found
 
-    def evaluations(self, most, apart):
-        """Return [Evaluation at the present prices] and up to `most` at other multipliers tried, those of the greatest
-        L first, each at least the share `apart` of the present ones away from those before it."""
-        chosen, least = [self.pi], apart * np.abs(self.pi).sum()
+    def evaluations(self, most, clock):
+        """Return [Evaluation at the present prices] and up to `most` at other multipliers, as many as are cheap beside
+        the work so far: those tried of the greatest L, each far from those before it, then such as are drawn around the
+        present ones; fewer once time is up."""
+        p, before = self.parameters, self.work
+        first, chosen, size = self.evaluate(self.pi, self.cuts), [self.pi], np.abs(self.pi).mean()
+        most = min(most, int(p.prices_share * before / max(self.work - before, 1)))
         for _, pi in sorted(self.tried, key=lambda pair: -pair[0]):
-            if len(chosen) > most:
-                break
-            if min(np.abs(pi - other).sum() for other in chosen) >= least:
+            if len(chosen) <= most and min(np.abs(pi - other).mean() for other in chosen) >= p.apart * size:
                 chosen.append(pi)
-        return [self.evaluate(pi, self.cuts) for pi in chosen]
+        drawn = np.random.default_rng(0).standard_normal((most + 1 - len(chosen), self.n))
+        others = *chosen[1:], *(self.pi + p.drawn * size * drawn)
+        return [first, *(self.evaluate(pi, self.cuts) for pi in others if not clock.out())]
 
     def run(self, most_entries, limit, clock, on_bound):
         """Move the prices by evaluations of so many entries a piece, None for all, until the master agrees with them,

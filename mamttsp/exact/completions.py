@@ -1,16 +1,16 @@
 """What it costs at least to complete a label, at the prices of several evaluations at once.
 
 Each evaluation proves on its own which labels no completion keeps within the limit, and other prices prove it of
-others: where the relaxation leaves a wide gap, a dozen of them leave a tenth of the labels.
+others: where the relaxation leaves a wide gap, two dozen of them leave a tenth of the labels.
 """
 
 from typing import NamedTuple
 
 import numpy as np
 
-from ..compiled import compiled
+from ..compiled import compiled, inlined
 from .legs import least
-from .ngroutes import Lists, penalty
+from .ngroutes import penalty
 from .sets import disjoint, has
 
 
@@ -18,45 +18,53 @@ class Completions(NamedTuple):
     """Values to go at the multipliers pi (K, n) of K evaluations of one network, which has the same cuts at the same
     prices in all of them, if any.
 
-    limit: (K, layers) the greatest reduced cost of a route; inside: (n,), sigma: (64,) as in `ngroutes.Prices`; lists:
-    the Lists of all evaluations, one behind the other, with first and count (K, Q); best: (K, Q, 2) the least value to
-    go at both ends, whatever is remembered.
+    limit: (K, layers) the greatest reduced cost of a route; inside: (n,), sigma: (64,) as in `ngroutes.Prices`; best:
+    (Q, K, 2) the least value to go at both ends of a piece, whatever is remembered; span: (Q, K, 2) its entries, of
+    value (X, 3), at the left, at the right and the lesser of both, by which they are in order, and memory (X, W),
+    parity and load (X,) as in `ngroutes.Lists`.
     """
 
     pi: np.ndarray
     limit: np.ndarray
     inside: np.ndarray
     sigma: np.ndarray
-    lists: Lists
     best: np.ndarray
+    span: np.ndarray
+    value: np.ndarray
+    memory: np.ndarray
+    parity: np.ndarray
+    load: np.ndarray
 
 
 def completions_of(evaluations, limit):
     """Return the Completions of routes of a solution of value at most `limit`."""
-    lists, prices = [e.lists for e in evaluations], evaluations[0].prices
-    offset = np.cumsum([0] + [len(own.left) for own in lists])
-    first = np.array([own.first + start for own, start in zip(lists, offset)])
-    count = np.array([own.count for own in lists])
-    together = Lists(first, count, *map(np.concatenate, zip(*(own[2:] for own in lists))))
+    prices, gathered, before = evaluations[0].prices, [_gathered(e.lists) for e in evaluations], 0
+    for own in gathered:
+        own[0][:] += before
+        before += len(own[2])
+    span, best, *entries = zip(*gathered)
     return Completions(
         np.array([e.pi for e in evaluations]),
         np.array([e.slack(limit) for e in evaluations]),
         prices.inside,
         prices.sigma,
-        together,
-        np.array([_best(own) for own in lists]),
+        np.stack(best, axis=1),
+        np.stack(span, axis=1),
+        *map(np.concatenate, entries),
     )
 
 
-@compiled
-def _best(lists):
-    """Return (Q, 2) the least values to go at both ends of each piece."""
-    best = np.full((len(lists.first), 2), np.inf)
-    for q in range(len(best)):
-        for y in range(lists.first[q], lists.first[q] + lists.count[q]):
-            best[q, 0] = min(best[q, 0], lists.left[y])
-            best[q, 1] = min(best[q, 1], lists.right[y])
-    return best
+def _gathered(lists):
+    """Return (span (Q, 2), best (Q, 2), value, memory, parity, load) of one evaluation's Lists."""
+    end = np.cumsum(lists.count)
+    piece = np.repeat(np.arange(len(end)), lists.count)
+    entry = np.arange(len(piece)) + (lists.first - end + lists.count)[piece]
+    value = np.c_[lists.left, lists.right, np.minimum(lists.left, lists.right)][entry]
+    order = np.lexsort((value[:, 2], piece))
+    value, entry, best = value[order], entry[order], np.full((len(end), 2), np.inf)
+    np.minimum.at(best, piece, value[:, :2])
+    span = np.c_[end - lists.count, end]
+    return span, best, value, lists.memory[entry], lists.parity[entry], lists.load[entry]
 
 
 @compiled
@@ -69,24 +77,43 @@ def shifts(visited, x, pi, shift):
                 shift[k] += pi[0, u] - pi[k, u]
 
 
-@compiled
-def completed(visited, odd, room, left, right, share, r, layer, w, shift, turn, completions):
+@inlined
+def promising(left, right, r, layer, w, shift, turn, pi, limit, best):
+    """Tell whether at each of the prices the least values to go at piece r keep a label there within the limit.
+
+    left, right: its reduced cost at the first prices; w: its last target, shift: (K,) of those before, see `shifts`;
+    turn: (K,) the order in which prices are asked: those that say no move forward.
+    """
+    fits = True
+    for i in range(len(turn)):
+        k = turn[i]
+        more = shift[k] + pi[0, w] - pi[k, w]
+        if min(left + best[r, k, 0], right + best[r, k, 1]) + more > limit[k, layer]:
+            fits = False
+            if i > 0:
+                turn[i], turn[i - 1] = turn[i - 1], k
+            break
+    return fits
+
+
+@inlined
+def completed(
+    visited, odd, room, left, right, share, r, layer, w, shift, turn, pi, limit, sigma, span, value, memory, parity,
+    load,
+):  # fmt: skip
     """Tell whether at each of the prices an entry of the values to go at piece r keeps a label there within the limit.
 
-    visited: (1, W) its set; odd: the cuts of whose rows that has an odd number; room: what it can still carry; left,
-    right: its reduced cost at the first prices; w: its last target, shift: (K,) of those before, see `shifts`; turn:
-    (K,) the order in which prices are asked: those that say no move forward.
+    visited: (1, W) its set; odd: the cuts of whose rows that has an odd number; room: what it can still carry; share:
+    of the piece, from 0 to 1, that passes before it can be there; the rest as in `promising`.
     """
-    pi, limit, _, sigma, lists, best = completions
-    first, count, memory, parity, load, to_go_left, to_go_right = lists
+    lesser, fits = min(left, right), True
     for i in range(len(turn)):
         k = turn[i]
         more, allowed, found = shift[k] + pi[0, w] - pi[k, w], limit[k, layer], False
-        end = first[k, r] + count[k, r]
-        if min(left + more + best[k, r, 0], right + more + best[k, r, 1]) > allowed:
-            end = first[k, r]  # none of them
-        for y in range(first[k, r], end):
-            low, high = left + more + to_go_left[y], right + more + to_go_right[y]
+        for y in range(span[r, k, 0], span[r, k, 1]):
+            if lesser + value[y, 2] + more > allowed:
+                break  # nor do any of the others
+            low, high = left + more + value[y, 0], right + more + value[y, 1]
             if min(low, high) > allowed or load[y] > room or not disjoint(visited, 0, memory, y):
                 continue
             hits = odd & parity[y]
@@ -97,5 +124,6 @@ def completed(visited, odd, room, left, right, share, r, layer, w, shift, turn, 
         if not found:
             if i > 0:
                 turn[i], turn[i - 1] = turn[i - 1], k
-            return False
-    return True
+            fits = False
+            break
+    return fits

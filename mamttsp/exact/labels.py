@@ -12,7 +12,7 @@ import numpy as np
 
 from ..compiled import compiled
 from ..motion import earliest_meeting
-from .completions import completed, shifts
+from .completions import completed, promising, shifts
 from .legs import after_leg, least, share_before
 from .ngroutes import penalty
 from .sets import add, has, same, to_words
@@ -83,7 +83,8 @@ def extend(old, pieces, arcs, completions, most, budget):
     were; complete is False if more than `most` labels or `budget` tried extensions were needed, and the labels are then
     of no use.
     """
-    new, count, heir, links, tried, complete = _extend(old, pieces, arcs, completions, most, budget)
+    order = np.lexsort((old.left + old.right, *old.visited.T))
+    new, count, heir, links, tried, complete = _extend(old, order, pieces, arcs, completions, most, budget)
     if not complete:
         return new, links, tried, False
     keep = np.flatnonzero(heir[:count] < 0)
@@ -97,9 +98,12 @@ def extend(old, pieces, arcs, completions, most, budget):
 
 
 @compiled
-def _extend(old, pieces, arcs, completions, most, budget):
+def _extend(old, order, pieces, arcs, completions, most, budget):
     """Return (new, count, heir, links, tried, complete): as `extend`, but with the dominated among the first `count` of
     the labels `new`; heir: (X,) what dominates each of them, or -1.
+
+    order: of the old labels. One set after the other they lead to sets that were touched last, and the cheapest first
+    to labels that dominate the others.
 
     All in one function, with arrays unpacked first: numba counts references at each call and attribute otherwise.
     """
@@ -111,11 +115,9 @@ def _extend(old, pieces, arcs, completions, most, budget):
     links, linked, tried = np.empty((_FIRST_SIZE, 2), np.int32), 0, 0
     a, b, p, v, target, demand = pieces.a, pieces.b, pieces.p, pieces.v, pieces.target, pieces.demand
     start, heads, leg = arcs.start, arcs.head, arcs.leg
-    pi, limit, inside, sigma, best = (
-        completions.pi, completions.limit, completions.inside, completions.sigma, completions.best
-    )  # fmt: skip
+    pi, limit, inside, sigma, best, span, value, memory, parity, load = completions
     fresh, shift, turn = np.zeros((1, W), np.uint64), np.zeros(len(pi)), np.arange(len(pi))
-    for x in range(len(old.left)):
+    for x in order:
         q = old.piece[x]
         layer = pieces.layer[q]
         speed, room = pieces.speed[layer], pieces.room[layer] - old.load[x]
@@ -140,7 +142,7 @@ def _extend(old, pieces, arcs, completions, most, budget):
                 since, 0.0,
             )  # fmt: skip
             # Most end here, before any root is taken.
-            if min(left + best[0, r, 0], right + best[0, r, 1]) + pay > limit[0, layer]:
+            if not promising(left + pay, right + pay, r, layer, w, shift, turn, pi, limit, best):
                 continue
             early = earliest_meeting(px, py, a_q + since, p[r, 0], p[r, 1], a[r], v[r, 0], v[r, 1], a[r], b[r], speed)
             if early == np.inf:
@@ -157,7 +159,8 @@ def _extend(old, pieces, arcs, completions, most, budget):
             add(fresh, 0, w)
             odd = old.odd[x] ^ inside[w]
             fits = completed(
-                fresh, odd, room - demand[layer, w], left, right, share, r, layer, w, shift, turn, completions
+                fresh, odd, room - demand[layer, w], left, right, share, r, layer, w, shift, turn, pi, limit, sigma,
+                span, value, memory, parity, load,
             )  # fmt: skip
             if not fits:
                 continue

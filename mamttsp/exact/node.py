@@ -60,7 +60,7 @@ class Node:
             if routes or self.over():
                 break
         if not routes and not self.over():
-            if not self.near() and (self.first or self.search.found):
+            if not self.near():
                 self.search.search_more_tours()
             if self.over() or self.strengthen(self.worthwhile(before)):
                 return [self]
@@ -149,7 +149,7 @@ class Node:
         if self.clock.out() or limit - self.bound > p.narrower * self.enumerated_at:
             return None
         self.enumerated_at = limit - self.bound
-        evaluations = self.generation.evaluations(p.prices if alone else 0, p.apart)
+        evaluations = self.generation.evaluations(p.prices if alone else 0, self.clock)
         self.raise_bound(evaluations[0].bound)
         budget = (p.enumeration_alone if alone else p.enumeration) * self.generation.work
         routes = Enumeration(evaluations, limit, alone, p.most_labels, budget, p.rate, self.clock)

@@ -32,22 +32,24 @@ class Parameters:
     pieces_each: int = 8
     #: and of all together, at most
     first_pieces: int = 1500
-    #: looks of ruin and recreate, for each target, at first and in a round that leaves a wide gap, and by how much the
-    #: next such round has more; iterations of one, for each target, and at most
-    annealing: float = 0.2
+    #: looks of ruin and recreate, for each target, at first and in a round that leaves a wide gap, and how many times
+    #: as many there are in the next such round after one that found something; iterations of one, for each target, and
+    #: at most: there are more looks instead
+    annealing: float = 0.3
     annealing_later: float = 0.3
     annealing_more: float = 2.0
     annealing_step: int = 25
     annealing_longest: int = 500
-    #: its time grid: points for each target; by how many steps a flight may come late, in turn: with 1.0 the grid holds
-    #: all routes, and proposes many that cannot be flown; with 0.0 whatever it holds can be flown
+    #: its time grid: points for each target; by how many steps a flight may come late on it, and what is charged for
+    #: the distance that it is short by, in turn: without a charge routes look shorter than they are
     grid: int = 24
-    grid_slacks: tuple = (0.5, 0.0, 1.0)
+    grid_slack: float = 0.7
+    grid_charges: tuple = (0.5, 0.0, 1.0)
     #: targets that a ruin takes out on average, and at most as a string from one route; how often it takes the targets
     #: closest to one instead, wherever they are; how often a place is overlooked on the way back
     removed: float = 8.0
     string: float = 10.0
-    radial: float = 0.75
+    radial: float = 0.5
     blink: float = 0.01
     #: heat of its annealing at first, as a share of the length; cost of a target left out, in sizes of the area
     heat: float = 0.02
@@ -69,10 +71,13 @@ class Parameters:
     enumeration: float = 1.5
     enumeration_alone: float = 15.0
     most_labels: int = 8_000_000
-    #: for one agent, other multipliers at which a label must be possible to complete, and how far they are from each
-    #: other, as a share of the present ones
-    prices: int = 12
+    #: for one agent, other multipliers at which a label must be possible to complete: those tried that are so far from
+    #: each other, as a share of the present ones, the rest drawn around these, with that share for standard deviation;
+    #: and the share of the work so far that they may take
+    prices: int = 24
+    prices_share: float = 1.0
     apart: float = 0.15
+    drawn: float = 0.4
     #: an enumeration is tried again over the same pieces once the gap has shrunk to this share
     narrower: float = 0.8
     #: label extensions per second, an underestimate, to stop in time

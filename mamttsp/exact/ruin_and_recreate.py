@@ -1,8 +1,6 @@
-"""First tours: ruin and recreate on a time grid (after Christiaens and Vanden Berghe 2020, without their string
-removal).
+"""First tours: ruin and recreate (after Christiaens and Vanden Berghe 2020).
 
-Visits are restricted to a time grid (see `grid`); what is kept can be flown, by the exact earliest times of its
-segments.
+Costs are those of visits on a time grid (see `grid`); what can be flown is told by exact times (see `reach`).
 """
 
 import math
@@ -11,8 +9,8 @@ from collections import namedtuple
 import numpy as np
 
 from ..compiled import compiled
-from ..motion import earliest_meeting
-from .grid import Values, evaluate, grid_points, insertion, make_networks, of_layer, trace
+from .grid import Values, evaluate, grid_points, least_sum, make_networks, min_plus, of_layer, stop, trace
+from .reach import fits
 
 #: What a ruin takes out, see `parameters.Parameters`: `removed` targets on average, of one route no more than `string`;
 #: `radial`: how often they are the closest ones; blink: how often a place is overlooked; heat: of annealing at first
@@ -26,11 +24,10 @@ class Annealing:
         p = parameters
         self.m, self.n, self.seed, self.penalty = fleet.n_agents, len(targets), seed, p.left_out * (graph.size or 1.0)
         self.ruins = Ruins(p.removed, p.string, p.radial, p.blink, p.heat)
-        self.node, time, start, step = grid_points(graph, targets, p.grid)
-        networks = [make_networks(graph, self.node, time, start, share * step) for share in p.grid_slacks]
-        self.networks = [(by_layer, _closeness(by_layer.near[:, :-1, :-1])) for by_layer in networks]
-        segment = np.c_[graph.p_lo, graph.v, graph.t_lo, graph.t_hi][self.node]
-        self.motion = segment, graph.p_lo[graph.starts], graph.p_lo[graph.ends], graph.speeds, graph.horizon
+        points = grid_points(graph, targets, p.grid)
+        self.networks = [make_networks(graph, targets, points, p.grid_slack, charge) for charge in p.grid_charges]
+        self.order = _closeness(self.networks[0].near[:, :-1, :-1])
+        self.nodes = np.concatenate([graph.C(u)[graph.layer[graph.C(u)] == 0] for u in targets])
         self.layer = np.repeat(np.arange(len(fleet.counts)), fleet.counts)
         self.loads = self.layer, graph.demands[list(targets)], graph.room
         self.first_node = graph.starts[self.layer]
@@ -40,9 +37,9 @@ class Annealing:
         """Anneal on, from heat `warm` to `cool` (1 to 0); return routes (tuples of segments) that serve all targets
         and can be flown, or None while there are none."""
         self.seed += 1
-        self.routes, self.length, length, points = ruin_and_recreate(
-            *self.networks[self.seed % len(self.networks)],
-            *self.motion,
+        self.routes, self.length, length, segments = ruin_and_recreate(
+            self.networks[self.seed % len(self.networks)],
+            self.order,
             *self.loads,
             self.routes,
             self.length,
@@ -55,7 +52,7 @@ class Annealing:
         )
         if length.sum() < self.n:
             return None
-        nodes = self.node[points] + self.first_node[:, None]
+        nodes = self.nodes[segments] + self.first_node[:, None]
         return [tuple(nodes[k, : length[k]].tolist()) for k in range(self.m) if length[k]]
 
 
@@ -70,10 +67,20 @@ def _place(w, routes, length, cost, networks, values, layer, demand, room, blink
             seen_empty = layer[k]
         if demand[w] + _load(routes[k], length[k], demand) > room[layer[k]]:
             continue
+        (between, back, start, near, _, motion), here = networks[k], values[k]
+        so_far, to_go, early, late = here.so_far, here.to_go, here.early, here.late
+        least_so_far, least_to_go, size = here.least_so_far, here.least_to_go, start[w + 1] - start[w]
         for i in range(length[k] + 1):
-            if np.random.random() < blink:
+            before, behind, rest = stop(routes[k], length[k], i - 1), stop(routes[k], length[k], i), length[k] - i
+            cutoff = best + cost[k] - near[w, behind] - least_to_go[rest]
+            if least_so_far[i] + near[before, w] >= cutoff or np.random.random() < blink:
                 continue
-            total = insertion(w, routes[k], length[k], i, networks[k], values[k], arrive, leave, best + cost[k])
+            if not fits(w, behind, early, i, late, rest, motion):
+                continue
+            if min_plus(so_far, i, before, w, start, between, arrive, 0) >= cutoff:
+                continue
+            min_plus(to_go, rest, behind, w, start, back, leave, 0)
+            total = least_sum(arrive, 0, leave, 0, size)
             if total - cost[k] < best:
                 best, best_k, best_i = total - cost[k], k, i
     return best_k, best_i
@@ -101,7 +108,7 @@ def _insert_all(bank, routes, length, cost, networks, values, layer, demand, roo
             routes[k, j] = routes[k, j - 1]
         routes[k, i] = w
         length[k] += 1
-        cost[k] = evaluate(routes[k], length[k], networks[k], values[k])
+        cost[k] = evaluate(routes[k], length[k], networks[k], values[k], i, length[k] - 1 - i)
     return bank[:left].copy()
 
 
@@ -155,19 +162,6 @@ def _mark_strings(order, routes, length, longest, ruins, out):
 
 
 @compiled
-def _flyable(points, length, segment, depot, end, speed, horizon):
-    """Tell whether the segments of the points can be met in this order from the depot, and the end by the horizon."""
-    px, py, t = depot[0], depot[1], 0.0
-    for i in range(length):
-        x, y, vx, vy, opens, closes = segment[points[i]]
-        t = earliest_meeting(px, py, t, x, y, opens, vx, vy, opens, closes, speed)
-        if t == np.inf:
-            return False
-        px, py = x + (t - opens) * vx, y + (t - opens) * vy
-    return earliest_meeting(px, py, t, end[0], end[1], 0.0, 0.0, 0.0, 0.0, horizon, speed) < np.inf
-
-
-@compiled
 def _absent(routes, length):
     """Return the targets on no route."""
     absent = np.ones(routes.shape[1], np.bool_)
@@ -179,14 +173,13 @@ def _absent(routes, length):
 
 @compiled
 def ruin_and_recreate(
-    by_layer, order, segment, depots, ends, speeds, horizon, layer, demand, room, routes, length, penalty, ruins,
-    iterations, warm, cool, seed,
+    by_layer, order, layer, demand, room, routes, length, penalty, ruins, iterations, warm, cool, seed
 ):  # fmt: skip
-    """Return (routes (m, n), length (m,), best_length (m,), points (m, n)): where annealing from the given routes ends,
-    and the lengths and grid points of the best routes on the way; `penalty` for each target left out.
+    """Return (routes (m, n), length (m,), best_length (m,), segments (m, n)): where annealing from the given routes
+    ends, and the lengths and segments of the best routes on the way; `penalty` for each target left out.
 
-    by_layer: see `grid.make_networks`; order: see `_closeness`; segment: (P, 6) motion of each point's segment; depots,
-    ends, speeds, room: of each layer; layer: (m,) of each route, in order; demand: (n,).
+    by_layer: see `grid.make_networks`; order: see `_closeness`; room: of each layer; layer: (m,) of each route, in
+    order; demand: (n,).
     """
     np.random.seed(seed)
     m, n = routes.shape
@@ -195,24 +188,26 @@ def ruin_and_recreate(
         widest = max(widest, by_layer.start[u + 1] - by_layer.start[u])
     networks = [of_layer(by_layer, k) for k in layer]
     rows = n + 1, widest
-    values = [Values(np.zeros(rows), np.zeros(rows), np.zeros(n + 1), np.zeros(n + 1)) for _ in range(m)]
-    arrive, leave = np.empty(widest), np.empty(widest)
+    times = n + 1, 3
+    values = [
+        Values(np.zeros(rows), np.zeros(rows), np.zeros(n + 1), np.zeros(n + 1), np.zeros(times), np.zeros(times))
+        for _ in range(m)
+    ]
+    arrive, leave = np.empty((1, widest)), np.empty((1, widest))
     routes, length, cost = routes.copy(), length.copy(), np.zeros(m)
     for k in range(m):
-        cost[k] = evaluate(routes[k], length[k], networks[k], values[k])
-        if cost[k] == np.inf:  # found on a looser grid
-            length[k], cost[k] = 0, 0.0
+        cost[k] = evaluate(routes[k], length[k], networks[k], values[k], np.int64(0), np.int64(0))
     absent = _absent(routes, length)
     now = cost.sum() + penalty * len(absent)
     best, best_routes, best_length = now, routes.copy(), length.copy()
-    points = np.zeros((m, n), np.int64)
+    segments = np.zeros((m, n), np.int64)
     changed = np.zeros(m, np.bool_)
     for it in range(iterations):
         kept_routes, kept_length, kept_cost, kept_absent = routes.copy(), length.copy(), cost.copy(), absent
         bank = _remove(np.random.randint(n), order, routes, length, absent, ruins)
         for k in range(m):
             if length[k] != kept_length[k]:
-                cost[k] = evaluate(routes[k], length[k], networks[k], values[k])
+                cost[k] = evaluate(routes[k], length[k], networks[k], values[k], np.int64(0), np.int64(0))
         absent = _insert_all(
             bank, routes, length, cost, networks, values, layer, demand, room, ruins.blink, arrive, leave
         )
@@ -223,10 +218,6 @@ def ruin_and_recreate(
             changed[k] = length[k] != kept_length[k]
             for i in range(length[k]):
                 changed[k] = changed[k] or routes[k, i] != kept_routes[k, i]
-            if accepted and changed[k]:
-                trace(routes[k], length[k], networks[k], values[k], points[k])
-                own = layer[k]
-                accepted = _flyable(points[k], length[k], segment, depots[own], ends[own], speeds[own], horizon)
         if accepted:
             now = total
             if total < best:
@@ -235,8 +226,8 @@ def ruin_and_recreate(
         routes, length, cost, absent = kept_routes, kept_length, kept_cost, kept_absent
         for k in range(m):
             if changed[k]:
-                evaluate(routes[k], length[k], networks[k], values[k])
+                evaluate(routes[k], length[k], networks[k], values[k], np.int64(0), np.int64(0))
     for k in range(m):
-        evaluate(best_routes[k], best_length[k], networks[k], values[k])
-        trace(best_routes[k], best_length[k], networks[k], values[k], points[k])
-    return routes, length, best_length, points
+        evaluate(best_routes[k], best_length[k], networks[k], values[k], np.int64(0), np.int64(0))
+        trace(best_routes[k], best_length[k], networks[k], values[k], segments[k])
+    return routes, length, best_length, segments

@@ -25,7 +25,7 @@ class Search:
         self.graph, self.n, self.fleet, self.m = graph, graph.n_targets, fleet, fleet.n_agents
         self.clock, self.parameters, self.progress, self.annealing = clock, parameters, progress, annealing
         self.standing, self.unit, self.nodes = Standing(graph, fleet, gap), graph.size or 1.0, []
-        self.labels, self.columns, self.found, self.looks = 0, 0, False, parameters.annealing_later
+        self.labels, self.columns, self.looks = 0, 0, parameters.annealing_later
         if start:
             self.incumbent.offer(start)
 
@@ -93,21 +93,24 @@ class Search:
         return pi
 
     def search_more_tours(self):
-        """Look for tours again, longer each time, as rounds get longer."""
+        """Look for tours again, longer the next time if that found shorter ones."""
+        before = self.incumbent.objective
         self.search_tours(self.looks)
-        self.looks *= self.parameters.annealing_more
+        if self.incumbent.objective < before:
+            self.looks *= self.parameters.annealing_more
 
     def search_tours(self, looks):
-        """Look for tours by ruin and recreate, so many looks for each target, then among all their routes."""
-        p, looks, before = self.parameters, max(1, round(self.n * looks)), self.incumbent.objective
-        iterations = min(self.n * p.annealing_step, p.annealing_longest)
+        """Look for tours by ruin and recreate, so many looks for each target, more of them where one may not take as
+        long as it should, then among all their routes."""
+        p, whole = self.parameters, self.n * self.parameters.annealing_step
+        iterations = min(whole, p.annealing_longest)
+        looks = max(1, round(self.n * looks * whole / iterations))
         for look in range(looks):
             if self.clock.out():
                 break
             if routes := self.annealing.run(iterations, 1.0 - look / looks, 1.0 - (look + 1) / looks):
                 self.incumbent.offer(routes)
         self.recombine()
-        self.found = self.incumbent.objective < before
         self.report("heuristic")
 
     def recombine(self):

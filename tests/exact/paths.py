@@ -1,5 +1,7 @@
 """The paths of the search, each forced by constants."""
 
+import numpy as np
+
 #: no enumeration fits, at whatever time
 NONE_FITS = dict.fromkeys(("enumeration", "enumeration_alone"), 0.01)
 #: {name: fields of `Parameters` that differ from the defaults}
@@ -7,7 +9,9 @@ FORCED = {
     "no enumeration fits at first": {**NONE_FITS, "piece": 9.0, "pieces_each": 4},
     "every enumeration is tried": {"narrower": 1.0, "piece": 9.0, "pieces_each": 4},
     "labels at one agent's present prices alone": {"prices": 0},
-    "labels at whatever prices were tried": {"prices": 1000, "apart": 0.0},
+    "labels at whatever prices were tried": {"prices": 200, "apart": 0.0},
+    "labels at prices drawn far and wide": {"prices": 20, "apart": np.inf, "drawn": 5.0},
+    "tours on a coarse grid": {"grid": 2, "grid_slack": 0.0, "grid_charges": (10.0,)},
     "split as soon as shorter pieces were tried": {**NONE_FITS, "worthwhile": 2.0, "piece": 9.0, "pieces_each": 2},
     "split, without cuts": {**NONE_FITS, "worthwhile": 2.0, "violation": 10.0, "ng_size": 0},
     "ng-sets grow from nothing": {"ng_size": 0},

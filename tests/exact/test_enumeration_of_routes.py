@@ -155,7 +155,7 @@ def test_an_agent_that_serves_all_targets_ends_early_what_will_not_last():
 
 @pytest.mark.parametrize("seed", range(3))
 def test_other_prices_leave_fewer_labels_and_the_optimum(seed):
-    """Ten targets, one agent, the prices that column generation tries with three entries of a piece."""
+    """Ten targets, one agent, prices that column generation tries with three entries of a piece, and others."""
     instance = generate(10, 60, seed=seed)
     graph, known = build_graph(instance), solve(instance, method="exact").objective
     generation = ColumnGeneration(
@@ -163,7 +163,7 @@ def test_other_prices_leave_fewer_labels_and_the_optimum(seed):
     )  # fmt: skip
     limit = known * (1 + 1e-7)
     generation.run(3, limit, Watch(), lambda bound: None)
-    evaluations = generation.evaluations(12, 0.15)
+    evaluations = generation.evaluations(12, Watch())
     one, many = (_enumeration(own, limit, whole=True) for own in (evaluations[:1], evaluations))
     assert many.size < 0.8 * one.size and len(many.cost)
     assert many.cost.min() == pytest.approx(one.cost.min(), rel=1e-9) and many.cost.min() <= limit

@@ -8,7 +8,7 @@ from mamttsp.exact import ruin_and_recreate as annealing
 from mamttsp.exact.fleet import Fleet
 from mamttsp.exact.parameters import Parameters
 from mamttsp.timing import best_times, earliest_times
-from tests.exact.networks import alike, best_solution, flyable_routes, load, small, unlike
+from tests.exact.networks import alike, best_solution, load, small, unlike
 
 CASES = [(seed, small(seed, n=5), alike(m)) for seed in range(3) for m in (1, 2, 3)]
 CASES += [(seed, graph, Fleet.of(graph)) for seed, graph in enumerate(map(unlike, range(5)))]
@@ -84,18 +84,3 @@ def test_what_a_ruin_takes_out_is_what_is_missing_afterwards(seed, radial):
                 gone = [k for k, u in enumerate(route) if u not in now]
                 assert not gone or gone[-1] - gone[0] + 1 == len(gone) <= 4
     assert taken_out > 20
-
-
-@pytest.mark.parametrize("seed", range(4))
-def test_what_is_called_flyable_is(seed):
-    rng, graph = np.random.default_rng(seed), small(seed, n=4)
-    segment = np.c_[graph.p_lo, graph.v, graph.t_lo, graph.t_hi]
-    flyable, told = set(flyable_routes(graph)), []
-    for _ in range(200):
-        targets = rng.permutation(graph.n_targets)[: rng.integers(1, 5)]
-        route = tuple(int(rng.choice(graph.C(u))) for u in targets)
-        depot, end = graph.p_lo[graph.starts[0]], graph.p_lo[graph.ends[0]]
-        points = np.array(route)
-        told.append(annealing._flyable(points, len(route), segment, depot, end, graph.speeds[0], graph.horizon))
-        assert told[-1] == (route in flyable)
-    assert 0 < sum(told) < len(told)
