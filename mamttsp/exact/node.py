@@ -61,7 +61,7 @@ class Node:
                 break
         if not routes and not self.over():
             if not self.near():
-                self.search.search_more_tours()
+                self.search.search_more_tours(self.generation.work)
             if self.over() or self.strengthen(self.worthwhile(before)):
                 return [self]
         if self.over():

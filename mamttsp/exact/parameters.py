@@ -32,14 +32,13 @@ class Parameters:
     pieces_each: int = 8
     #: and of all together, at most
     first_pieces: int = 1500
-    #: looks of ruin and recreate, for each target, at first and in a round that leaves a wide gap, and how many times
-    #: as many there are in the next such round after one that found something; iterations of one, for each target, and
-    #: at most: there are more looks instead
+    #: looks of ruin and recreate, for each target; iterations of one, for each target, and at most
     annealing: float = 0.3
-    annealing_later: float = 0.3
-    annealing_more: float = 2.0
     annealing_step: int = 25
     annealing_longest: int = 500
+    #: while the gap is wide as many iterations in all, times targets and agents, for each entry that prices extend; no
+    #: fewer at once than at first
+    annealing_share: float = 0.006
     #: its time grid: points for each target; by how many steps a flight may come late on it, and what is charged for
     #: the distance that it is short by, in turn: without a charge routes look shorter than they are
     grid: int = 24

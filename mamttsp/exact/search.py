@@ -25,7 +25,7 @@ class Search:
         self.graph, self.n, self.fleet, self.m = graph, graph.n_targets, fleet, fleet.n_agents
         self.clock, self.parameters, self.progress, self.annealing = clock, parameters, progress, annealing
         self.standing, self.unit, self.nodes = Standing(graph, fleet, gap), graph.size or 1.0, []
-        self.labels, self.columns, self.looks = 0, 0, parameters.annealing_later
+        self.labels, self.columns, self.iterations = 0, 0, 0
         if start:
             self.incumbent.offer(start)
 
@@ -46,7 +46,7 @@ class Search:
 
     def run(self):
         """Run until the gap is closed, infeasibility is proved, time is up, or nothing is left that could help."""
-        self.search_tours(self.parameters.annealing)
+        self.search_tours(self.n * self.parameters.annealing)
         self.nodes = [self.root()]
         while not self.over():
             if not (going := [node for node in self.nodes if not node.exhausted]):
@@ -92,23 +92,26 @@ class Search:
             pi[self.graph.tau[list(route)]] = 0.25 * (legs[:-1] + legs[1:])
         return pi
 
-    def search_more_tours(self):
-        """Look for tours again, longer the next time if that found shorter ones."""
-        before = self.incumbent.objective
-        self.search_tours(self.looks)
-        if self.incumbent.objective < before:
-            self.looks *= self.parameters.annealing_more
+    def search_more_tours(self, work):
+        """Look for tours again, if that is cheap beside the entries that prices have extended so far."""
+        p, n = self.parameters, self.n
+        looks = (p.annealing_share * work / (n + self.m) - self.iterations) / self.iterations_each
+        if looks >= n * p.annealing:
+            self.search_tours(looks)
+
+    @property
+    def iterations_each(self):
+        """Iterations of a look."""
+        return min(self.n * self.parameters.annealing_step, self.parameters.annealing_longest)
 
     def search_tours(self, looks):
-        """Look for tours by ruin and recreate, so many looks for each target, more of them where one may not take as
-        long as it should, then among all their routes."""
-        p, whole = self.parameters, self.n * self.parameters.annealing_step
-        iterations = min(whole, p.annealing_longest)
-        looks = max(1, round(self.n * looks * whole / iterations))
+        """Look for tours by ruin and recreate, so many looks, then among all their routes."""
+        looks = max(1, round(looks))
         for look in range(looks):
             if self.clock.out():
                 break
-            if routes := self.annealing.run(iterations, 1.0 - look / looks, 1.0 - (look + 1) / looks):
+            self.iterations += self.iterations_each
+            if routes := self.annealing.run(self.iterations_each, 1.0 - look / looks, 1.0 - (look + 1) / looks):
                 self.incumbent.offer(routes)
         self.recombine()
         self.report("heuristic")
