@@ -46,7 +46,7 @@ VARIED = {
     "annealing_share": (0.0, 0.03),
     "grid": (12, 48),
     "grid_slack": (0.0, 1.0),
-    "grid_charges": ((0.0,), (0.5,)),
+    "grid_charges": ((0.0,), (0.5,), (8.0,)),
     "removed": (4.0, 12.0),
     "string": (5.0, 20.0),
     "radial": (0.0, 1.0),

@@ -59,12 +59,9 @@ class Node:
             routes = self.stage(most_entries)
             if routes or self.over():
                 break
-        if not routes and not self.over():
-            if not self.near():
-                self.search.search_more_tours(self.generation.work)
-            if self.over() or self.strengthen(self.worthwhile(before)):
-                return [self]
-        if self.over():
+        if not self.over() and not self.near():
+            self.search.search_more_tours(self.generation.work)
+        if self.over() or (not routes and self.strengthen(self.worthwhile(before))):
             return [self]
         self.splits = self.splits or not self.worthwhile(self.finer_from)
         if (routes or not self.splits) and self.refine(routes):

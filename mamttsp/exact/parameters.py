@@ -36,14 +36,14 @@ class Parameters:
     annealing: float = 0.3
     annealing_step: int = 25
     annealing_longest: int = 500
-    #: while the gap is wide as many iterations in all, times targets and agents, for each entry that prices extend; no
-    #: fewer at once than at first
-    annealing_share: float = 0.006
+    #: while the gap is wide as many iterations in all, times targets and agents, for each entry that prices extend, but
+    #: no fewer at once than half of those at first
+    annealing_share: float = 0.01
     #: its time grid: points for each target; by how many steps a flight may come late on it, and what is charged for
     #: the distance that it is short by, in turn: without a charge routes look shorter than they are
     grid: int = 24
     grid_slack: float = 0.7
-    grid_charges: tuple = (0.5, 0.0, 1.0)
+    grid_charges: tuple = (0.5, 0.0, 2.0, 8.0)
     #: targets that a ruin takes out on average, and at most as a string from one route; how often it takes the targets
     #: closest to one instead, wherever they are; how often a place is overlooked on the way back
     removed: float = 8.0

@@ -96,7 +96,7 @@ class Search:
         """Look for tours again, if that is cheap beside the entries that prices have extended so far."""
         p, n = self.parameters, self.n
         looks = (p.annealing_share * work / (n + self.m) - self.iterations) / self.iterations_each
-        if looks >= n * p.annealing:
+        if looks >= 0.5 * n * p.annealing:
             self.search_tours(looks)
 
     @property
