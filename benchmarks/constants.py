@@ -44,6 +44,7 @@ VARIED = {
     "first_pieces": (200, 5000),
     "annealing": (0.1, 0.5),
     "annealing_share": (0.0, 0.03),
+    "annealing_later": (0.05, 0.5),
     "grid": (12, 48),
     "grid_slack": (0.0, 1.0),
     "grid_charges": ((0.0,), (0.5,), (8.0,)),

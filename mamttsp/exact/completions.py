@@ -38,18 +38,16 @@ class Completions(NamedTuple):
 
 def completions_of(evaluations, limit):
     """Return the Completions of routes of a solution of value at most `limit`."""
-    prices, gathered, before = evaluations[0].prices, [_gathered(e.lists) for e in evaluations], 0
-    for own in gathered:
-        own[0][:] += before
-        before += len(own[2])
-    span, best, *entries = zip(*gathered)
+    prices = evaluations[0].prices
+    span, best, *entries = zip(*(_gathered(e.lists) for e in evaluations))
+    before = np.cumsum([0, *map(len, entries[0])])
     return Completions(
         np.array([e.pi for e in evaluations]),
         np.array([e.slack(limit) for e in evaluations]),
         prices.inside,
         prices.sigma,
         np.stack(best, axis=1),
-        np.stack(span, axis=1),
+        np.stack([own + start for own, start in zip(span, before)], axis=1),
         *map(np.concatenate, entries),
     )
 

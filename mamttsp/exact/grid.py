@@ -11,7 +11,7 @@ import numpy as np
 
 from ..compiled import compiled, inlined
 from ..motion import TIME_SLACK
-from .reach import Motion, fill_reach, make_motions, meet
+from .reach import Motion, fill_reach, make_motions, meet, segments_of
 
 #: Flights on the grid, infinite where too late: between (P + 1, P + 1), and its transpose back. The points of target u
 #: are start[u]:start[u + 1], and behind those of all n targets comes one for the depot, as a head the end: target n;
@@ -33,8 +33,7 @@ def grid_points(graph, targets, points):
     """
     nodes, times, start, longest = [], [], [0], 0.0
     for u in targets:
-        cluster = graph.C(u)
-        cluster = cluster[graph.layer[cluster] == 0]
+        cluster = segments_of(graph, u)
         step = (graph.t_hi[cluster] - graph.t_lo[cluster]).sum() / points
         for i in cluster:
             duration = graph.t_hi[i] - graph.t_lo[i]
@@ -46,28 +45,32 @@ def grid_points(graph, targets, points):
     return np.concatenate(nodes), np.concatenate(times), np.array(start), longest
 
 
-def make_networks(graph, targets, points, slack, charge):
-    """Return the Networks of the targets, one for each layer of the graph, in a Network whose arrays but `start` and
-    `segment` have one dimension more; points: see `grid_points`; slack: by how many steps a flight may come late;
-    charge: of the distance that it is short by, how much is added to its length."""
+def make_networks(graph, targets, points, slack, charges):
+    """Return for each of the charges the Networks of the targets, one for each layer of the graph, in a Network whose
+    arrays but `start` and `segment` have one dimension more; points: see `grid_points`; slack: by how many steps a
+    flight may come late; charges: of the distance that it is short by, how much is added to its length."""
     node, time, start, step = points
     p = graph.p_lo[node] + (time - graph.t_lo[node])[:, None] * graph.v[node]
     start = np.r_[start, len(time) + 1]
     owner = np.repeat(np.arange(len(start) - 1), np.diff(start))
     leaving, arriving = np.r_[time, 0.0], np.r_[time, graph.horizon]
     late = slack * step + TIME_SLACK * graph.horizon
-    between = []
+    between, missing = [], []
     for depot, end, speed in zip(graph.p_lo[graph.starts], graph.p_lo[graph.ends], graph.speeds):
         (x, y), (x_to, y_to) = np.vstack([p, depot]).T, np.vstack([p, end]).T
         flights = np.hypot(x_to - x[:, None], y_to - y[:, None])
         short = np.maximum(flights - speed * (arriving - leaving[:, None]), 0.0)
         flights[(owner == owner[:, None]) | (short > speed * late)] = np.inf
-        flights += charge * short
         between.append(flights)
-    between = np.array(between)
-    near = np.minimum.reduceat(np.minimum.reduceat(between, start[:-1], axis=1), start[:-1], axis=2)
+        missing.append(short)
     segment = np.cumsum(np.diff(node, prepend=-1) != 0) - 1
-    motions = make_motions(graph, targets)
+    shared, motions = (np.array(between), np.array(missing)), make_motions(graph, targets)
+    return [_charged(*shared, charge, start, segment, motions) for charge in charges]
+
+
+def _charged(between, missing, charge, start, segment, motions):
+    between = between + charge * missing
+    near = np.minimum.reduceat(np.minimum.reduceat(between, start[:-1], axis=1), start[:-1], axis=2)
     return Network(between, between.transpose(0, 2, 1).copy(), start, near, segment, motions)
 
 

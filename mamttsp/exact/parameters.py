@@ -36,9 +36,10 @@ class Parameters:
     annealing: float = 0.3
     annealing_step: int = 25
     annealing_longest: int = 500
-    #: while the gap is wide as many iterations in all, times targets and agents, for each entry that prices extend, but
-    #: no fewer at once than half of those at first
+    #: while the gap is wide as many iterations in all, times targets and agents, for each entry that prices extend, and
+    #: how many looks there must be at once, for each target
     annealing_share: float = 0.01
+    annealing_later: float = 0.15
     #: its time grid: points for each target; by how many steps a flight may come late on it, and what is charged for
     #: the distance that it is short by, in turn: without a charge routes look shorter than they are
     grid: int = 24

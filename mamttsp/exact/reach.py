@@ -17,10 +17,16 @@ from ..motion import TIME_SLACK, earliest_meeting
 Motion = namedtuple("Motion", "first ahead back speed slack")
 
 
+def segments_of(graph, u):
+    """Return the nodes of target u in the graph's first layer, in order of time."""
+    cluster = graph.C(u)
+    return cluster[graph.layer[cluster] == 0]
+
+
 def make_motions(graph, targets):
     """Return the Motions of the targets, one for each layer of the graph, in a Motion whose `ahead`, `back` and `speed`
     have one dimension more."""
-    nodes = [graph.C(u)[graph.layer[graph.C(u)] == 0] for u in targets]
+    nodes = [segments_of(graph, u) for u in targets]
     segments = [np.c_[graph.p_lo[own], graph.v[own], graph.t_lo[own], graph.t_hi[own]] for own in nodes]
     mirrored = [_mirrored(own)[::-1] for own in segments]
     ahead = [np.vstack([*segments, [*end, 0.0, 0.0, 0.0, graph.horizon]]) for end in graph.p_lo[graph.ends]]

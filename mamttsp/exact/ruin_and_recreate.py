@@ -10,7 +10,7 @@ import numpy as np
 
 from ..compiled import compiled
 from .grid import Values, evaluate, grid_points, least_sum, make_networks, min_plus, of_layer, stop, trace
-from .reach import fits
+from .reach import fits, segments_of
 
 #: What a ruin takes out, see `parameters.Parameters`: `removed` targets on average, of one route no more than `string`;
 #: `radial`: how often they are the closest ones; blink: how often a place is overlooked; heat: of annealing at first
@@ -25,9 +25,9 @@ class Annealing:
         self.m, self.n, self.seed, self.penalty = fleet.n_agents, len(targets), seed, p.left_out * (graph.size or 1.0)
         self.ruins = Ruins(p.removed, p.string, p.radial, p.blink, p.heat)
         points = grid_points(graph, targets, p.grid)
-        self.networks = [make_networks(graph, targets, points, p.grid_slack, charge) for charge in p.grid_charges]
+        self.networks = make_networks(graph, targets, points, p.grid_slack, p.grid_charges)
         self.order = _closeness(self.networks[0].near[:, :-1, :-1])
-        self.nodes = np.concatenate([graph.C(u)[graph.layer[graph.C(u)] == 0] for u in targets])
+        self.nodes = np.concatenate([segments_of(graph, u) for u in targets])
         self.layer = np.repeat(np.arange(len(fleet.counts)), fleet.counts)
         self.loads = self.layer, graph.demands[list(targets)], graph.room
         self.first_node = graph.starts[self.layer]
@@ -201,7 +201,6 @@ def ruin_and_recreate(
     now = cost.sum() + penalty * len(absent)
     best, best_routes, best_length = now, routes.copy(), length.copy()
     segments = np.zeros((m, n), np.int64)
-    changed = np.zeros(m, np.bool_)
     for it in range(iterations):
         kept_routes, kept_length, kept_cost, kept_absent = routes.copy(), length.copy(), cost.copy(), absent
         bank = _remove(np.random.randint(n), order, routes, length, absent, ruins)
@@ -214,19 +213,18 @@ def ruin_and_recreate(
         total = cost.sum() + penalty * len(absent)
         heat = ruins.heat * best * (warm + (cool - warm) * it / iterations) ** 2
         accepted = total < now - heat * math.log(np.random.random() + 1e-300)
-        for k in range(m):
-            changed[k] = length[k] != kept_length[k]
-            for i in range(length[k]):
-                changed[k] = changed[k] or routes[k, i] != kept_routes[k, i]
         if accepted:
             now = total
             if total < best:
                 best, best_routes, best_length = total, routes.copy(), length.copy()
             continue
-        routes, length, cost, absent = kept_routes, kept_length, kept_cost, kept_absent
         for k in range(m):
-            if changed[k]:
-                evaluate(routes[k], length[k], networks[k], values[k], np.int64(0), np.int64(0))
+            changed = length[k] != kept_length[k]
+            for i in range(length[k]):
+                changed = changed or routes[k, i] != kept_routes[k, i]
+            if changed:
+                evaluate(kept_routes[k], kept_length[k], networks[k], values[k], np.int64(0), np.int64(0))
+        routes, length, cost, absent = kept_routes, kept_length, kept_cost, kept_absent
     for k in range(m):
         evaluate(best_routes[k], best_length[k], networks[k], values[k], np.int64(0), np.int64(0))
         trace(best_routes[k], best_length[k], networks[k], values[k], segments[k])

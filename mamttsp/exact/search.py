@@ -94,9 +94,9 @@ class Search:
 
     def search_more_tours(self, work):
         """Look for tours again, if that is cheap beside the entries that prices have extended so far."""
-        p, n = self.parameters, self.n
-        looks = (p.annealing_share * work / (n + self.m) - self.iterations) / self.iterations_each
-        if looks >= 0.5 * n * p.annealing:
+        p = self.parameters
+        looks = (p.annealing_share * work / (self.n + self.m) - self.iterations) / self.iterations_each
+        if looks >= self.n * p.annealing_later:
             self.search_tours(looks)
 
     @property

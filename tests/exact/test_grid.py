@@ -20,13 +20,13 @@ def _grid(seed, slack=1.0, charge=0.5):
     """Return (graph, Networks, node, time, start, step) of an instance with two types of agents."""
     graph = unlike(seed, n=5, window=60)
     points = grid_points(graph, range(5), 6)
-    return graph, make_networks(graph, range(5), points, slack, charge), *points
+    return graph, make_networks(graph, range(5), points, slack, [charge])[0], *points
 
 
 def _room(n, start):
-    widest = int(np.diff(start).max())
     """Return (values, arrive, leave), wrong but for the 0 of the depot and the end, so that whoever reads others is
     found out."""
+    widest = int(np.diff(start).max())
     rows, least = np.full((2, n + 1, widest), -1e6), np.full((2, n + 1), -1e6)
     rows[:, 0, 0], least[:, 0] = 0.0, 0.0
     return Values(*rows, *least, *np.full((2, n + 1, 3), -1e6)), *np.full((2, 1, widest), -1e6)

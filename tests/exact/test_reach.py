@@ -16,7 +16,7 @@ SEEDS = range(6)
 def _motions(seed):
     """Return (graph, the Motion of each layer) of an instance with two types of agents."""
     graph = unlike(seed, n=4, window=60)
-    networks = make_networks(graph, range(4), grid_points(graph, range(4), 6), 1.0, 0.0)
+    (networks,) = make_networks(graph, range(4), grid_points(graph, range(4), 6), 1.0, [0.0])
     return graph, [of_layer(networks, k).motion for k in range(graph.n_layers)]
 
 
