@@ -57,10 +57,10 @@ class Node:
         self.generation.offer_incumbent(self.incumbent)
         for most_entries in (*p.few_entries, None):
             routes = self.stage(most_entries)
+            if not self.over() and not self.near():
+                self.search.search_more_tours(self.generation.work)
             if routes or self.over():
                 break
-        if not self.over() and not self.near():
-            self.search.search_more_tours(self.generation.work)
         if self.over() or (not routes and self.strengthen(self.worthwhile(before))):
             return [self]
         self.splits = self.splits or not self.worthwhile(self.finer_from)

@@ -38,8 +38,8 @@ class Parameters:
     annealing_longest: int = 500
     #: while the gap is wide as many iterations in all, times targets and agents, for each entry that prices extend, and
     #: how many looks there must be at once, for each target
-    annealing_share: float = 0.01
-    annealing_later: float = 0.15
+    annealing_share: float = 0.015
+    annealing_later: float = 0.25
     #: its time grid: points for each target; by how many steps a flight may come late on it, and what is charged for
     #: the distance that it is short by, in turn: without a charge routes look shorter than they are
     grid: int = 24
@@ -47,8 +47,8 @@ class Parameters:
     grid_charges: tuple = (0.5, 0.0, 2.0, 8.0)
     #: targets that a ruin takes out on average, and at most as a string from one route; how often it takes the targets
     #: closest to one instead, wherever they are; how often a place is overlooked on the way back
-    removed: float = 8.0
-    string: float = 10.0
+    removed: float = 16.0
+    string: float = 30.0
     radial: float = 0.5
     blink: float = 0.01
     #: heat of its annealing at first, as a share of the length; cost of a target left out, in sizes of the area
@@ -68,7 +68,7 @@ class Parameters:
     choice_seconds: float = 0.5
     #: label extensions of an enumeration, for each extension of an entry that prices have taken, with several agents
     #: and with one, for whom little else closes a gap; labels, at most
-    enumeration: float = 1.5
+    enumeration: float = 0.8
     enumeration_alone: float = 15.0
     most_labels: int = 8_000_000
     #: for one agent, other multipliers at which a label must be possible to complete: those tried that are so far from

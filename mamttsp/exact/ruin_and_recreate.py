@@ -59,7 +59,32 @@ class Annealing:
 @compiled
 def _place(w, routes, length, cost, networks, values, layer, demand, room, blink, arrive, leave):
     """Return (k, i): the cheapest place to insert w, before stop i of route k; k = -1 if there is none."""
-    best, best_k, best_i, seen_empty = np.inf, -1, -1, -1
+    places, bound = _places(w, routes, length, cost, networks, values, layer, demand, room, blink)
+    best, best_k, best_i = np.inf, -1, -1
+    while len(bound):
+        place = np.argmin(bound)
+        if bound[place] >= best:
+            break
+        bound[place], k, i = np.inf, places[place, 0], places[place, 1]
+        (between, back, start, near, _, motion), here, rest = networks[k], values[k], length[k] - i
+        before, behind, cutoff = stop(routes[k], length[k], i - 1), stop(routes[k], length[k], i), best + cost[k]
+        if not fits(w, behind, here.early, i, here.late, rest, motion):
+            continue
+        if min_plus(here.so_far, i, before, w, start, between, arrive, 0) >= cutoff - near[w, behind] - here.least_to_go[rest]:
+            continue
+        min_plus(here.to_go, rest, behind, w, start, back, leave, 0)
+        total = least_sum(arrive, 0, leave, 0, start[w + 1] - start[w])
+        if total < cutoff:
+            best, best_k, best_i = total - cost[k], k, i
+    return best_k, best_i
+
+
+@compiled
+def _places(w, routes, length, cost, networks, values, layer, demand, room, blink):
+    """Return (places (P, 2), bound (P,)): routes and stops before which w might be inserted, and at least what that
+    costs, from shortest flights."""
+    places, bound = np.empty((len(length) + routes.shape[1], 2), np.int64), np.empty(len(length) + routes.shape[1])
+    size, seen_empty = 0, -1
     for k in range(len(length)):
         if length[k] == 0:
             if seen_empty == layer[k]:  # one like it
@@ -67,23 +92,14 @@ def _place(w, routes, length, cost, networks, values, layer, demand, room, blink
             seen_empty = layer[k]
         if demand[w] + _load(routes[k], length[k], demand) > room[layer[k]]:
             continue
-        (between, back, start, near, _, motion), here = networks[k], values[k]
-        so_far, to_go, early, late = here.so_far, here.to_go, here.early, here.late
-        least_so_far, least_to_go, size = here.least_so_far, here.least_to_go, start[w + 1] - start[w]
+        near, here = networks[k].near, values[k]
         for i in range(length[k] + 1):
-            before, behind, rest = stop(routes[k], length[k], i - 1), stop(routes[k], length[k], i), length[k] - i
-            cutoff = best + cost[k] - near[w, behind] - least_to_go[rest]
-            if least_so_far[i] + near[before, w] >= cutoff or np.random.random() < blink:
-                continue
-            if not fits(w, behind, early, i, late, rest, motion):
-                continue
-            if min_plus(so_far, i, before, w, start, between, arrive, 0) >= cutoff:
-                continue
-            min_plus(to_go, rest, behind, w, start, back, leave, 0)
-            total = least_sum(arrive, 0, leave, 0, size)
-            if total - cost[k] < best:
-                best, best_k, best_i = total - cost[k], k, i
-    return best_k, best_i
+            before, behind = stop(routes[k], length[k], i - 1), stop(routes[k], length[k], i)
+            least = here.least_so_far[i] + near[before, w] + near[w, behind] + here.least_to_go[length[k] - i]
+            if least < np.inf and np.random.random() >= blink:
+                places[size, 0], places[size, 1], bound[size] = k, i, least - cost[k]
+                size += 1
+    return places[:size], bound[:size]
 
 
 @compiled
@@ -149,11 +165,13 @@ def _mark_strings(order, routes, length, longest, ruins, out):
     whole = np.ones(len(length), np.bool_)
     strings = int(np.random.uniform(1.0, 4.0 * ruins.removed / (1.0 + longest)))
     for w in order:
+        if strings == 0:
+            break
         for k in range(len(length)):
             i = 0
             while i < length[k] and routes[k, i] != w:
                 i += 1
-            if whole[k] and i < length[k] and strings > 0:
+            if whole[k] and i < length[k]:
                 size = int(np.random.uniform(1.0, min(longest, length[k]) + 1.0))
                 first = np.random.randint(max(0, i - size + 1), min(i, length[k] - size) + 1)
                 for j in range(first, first + size):
