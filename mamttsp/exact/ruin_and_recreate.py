@@ -70,7 +70,8 @@ def _place(w, routes, length, cost, networks, values, layer, demand, room, blink
         before, behind, cutoff = stop(routes[k], length[k], i - 1), stop(routes[k], length[k], i), best + cost[k]
         if not fits(w, behind, here.early, i, here.late, rest, motion):
             continue
-        if min_plus(here.so_far, i, before, w, start, between, arrive, 0) >= cutoff - near[w, behind] - here.least_to_go[rest]:
+        least_to_go = near[w, behind] + here.least_to_go[rest]
+        if min_plus(here.so_far, i, before, w, start, between, arrive, 0) + least_to_go >= cutoff:
             continue
         min_plus(here.to_go, rest, behind, w, start, back, leave, 0)
         total = least_sum(arrive, 0, leave, 0, start[w + 1] - start[w])
