@@ -3,6 +3,7 @@
 Exit status: 0 done; 1 no answer, or a solution that is wrong; 2 bad input or usage, with one line on standard error.
 """
 
+import os
 import sys
 from pathlib import Path
 
@@ -26,7 +27,9 @@ def main(argv=None):
     """Run the command line and return its exit status."""
     try:
         arguments = parser().parse_args(argv)
-        return _COMMANDS[arguments.command](arguments)
+        status = _COMMANDS[arguments.command](arguments)
+        sys.stdout.flush()
+        return status
     except InputError as error:
         print(error, file=sys.stderr)
         return 2
@@ -35,6 +38,9 @@ def main(argv=None):
         return 1
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
+        return 1
+    except BrokenPipeError:  # whoever reads, such as `head`, has seen enough; what is left has nowhere to go
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
 
 

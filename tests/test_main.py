@@ -3,6 +3,7 @@
 import io
 import json
 import runpy
+import subprocess
 import sys
 
 import pytest
@@ -319,3 +320,14 @@ def test_no_progress_line_where_it_is_off():
     with ProgressLine(screen, on=False) as line:
         line(Progress(1.0, 200.0, 150.0, 0.25, 12, "scip"))
     assert screen.getvalue() == ""
+
+
+def test_a_reader_that_has_seen_enough_gets_no_traceback():
+    asked = "import sys; from mamttsp.__main__ import main; input(); sys.exit(main(['versions']))"
+    pipes = dict.fromkeys(("stdin", "stdout", "stderr"), subprocess.PIPE)
+    with subprocess.Popen([sys.executable, "-c", asked], **pipes) as process:
+        process.stdout.close()  # before anything is written
+        process.stdin.write(b"\n")
+        process.stdin.close()
+        complaint = process.stderr.read()
+    assert (process.returncode, complaint) == (1, b"")
