@@ -54,6 +54,7 @@ def test_the_optimum_is_that_of_the_micp(n, window, m, seed):
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(150 * len(MANY_MICP))  # all may take their limit, and building them
 @pytest.mark.parametrize("solver", ["clarabel", "scip"])
 def test_the_optimum_is_that_of_the_micp_wherever_it_closes(solver):
     closed = [_assert_agrees_with_micp(generate(*setting), solver, 120) for setting in MANY_MICP]
@@ -61,6 +62,7 @@ def test_the_optimum_is_that_of_the_micp_wherever_it_closes(solver):
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(330 * len(BEYOND_MICP))
 @pytest.mark.parametrize("solver", ["clarabel", "scip"])
 def test_the_optimum_is_that_of_the_micp_beyond_enumeration(solver):
     closed = [_assert_agrees_with_micp(generate(*setting), solver, 300) for setting in BEYOND_MICP]
