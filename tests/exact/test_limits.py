@@ -162,7 +162,7 @@ def test_a_time_limit_is_kept_at_every_size(tmp_path, n, m):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("n, m", [(20, 1), (20, 5), (50, 10), (100, 20)])
+@pytest.mark.parametrize("n, m", [(25, 1), (20, 5), (50, 10), (100, 20)])
 def test_a_time_limit_is_kept_in_every_phase(tmp_path, n, m):
     problem = sized(n, m)
     moments = _moments(problem, 60.0)
