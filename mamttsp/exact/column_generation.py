@@ -11,7 +11,7 @@ import numpy as np
 
 from . import ngsets
 from .cuts import Cuts
-from .evaluation import evaluate
+from .evaluation import evaluate, restricted
 from .restricted_master import RestrictedMaster
 
 
@@ -40,7 +40,7 @@ class ColumnGeneration:
     def __init__(self, network, n_targets, fleet, pi, parameters, unit):
         self.network, self.n, self.fleet, self.parameters, self.unit = network, n_targets, fleet, parameters, unit
         self.pi, self.cuts, self.best, self.support = pi, Cuts.none(n_targets), None, []
-        self.box, self.dropped_at, self.work, self.decisions = np.inf, np.inf, 0, ()
+        self.box, self.dropped_at, self.work, self.decisions, self._near = np.inf, np.inf, 0, (), None
         self.N = ngsets.nearest(network.pieces, network.arcs, n_targets, parameters.ng_size)
         self.columns, self.tried = Columns([], [], [], []), []
         self._fresh_master()
@@ -140,9 +140,21 @@ class ColumnGeneration:
         self._fresh_master()
 
     def evaluate(self, pi, cuts, most_entries=None):
-        found = evaluate(self.network, self.N, pi, cuts, self.fleet, self.tolerance, most_entries)
-        self.work += int(found.lists.count[self.network.arcs.head].sum())
+        """Return an Evaluation; of few entries it is of few arcs as well, and proves nothing."""
+        network = self.network if most_entries is None else self.near_network()
+        found = evaluate(network, self.N, pi, cuts, self.fleet, self.tolerance, most_entries)
+        self.work += int(found.lists.count[network.arcs.head].sum())
         return found
+
+    def near_network(self):
+        """Return the present Network with only the arcs between targets that are close to each other."""
+        if self._near is None or self._near[0] is not self.network:
+            pieces, arcs, starts, ends, *_ = self.network
+            close = ngsets.nearest(pieces, arcs, self.n, self.parameters.few_targets)
+            alive = (close | close.T)[pieces.target[arcs.tail], pieces.target[arcs.head]]
+            near = self.network if alive.all() else restricted(self.network, alive, starts, ends)
+            self._near = self.network, near
+        return self._near[1]
 
     def evaluations(self, most, clock):
         """Return [Evaluation at the present prices] and up to `most` at other multipliers, as many as are cheap beside

@@ -12,16 +12,17 @@ class Enumeration:
     """All labels that can be completed to routes of a solution of value at most `limit`, at the prices of every one of
     the evaluations, grown from the depot over the arcs of their network.
 
-    complete: False if it needed more than `most` labels or `budget` extensions, or more time than the clock has left,
-    at `rate` extensions per s; it then proves nothing.
+    whole: whether each route serves all targets; longest: visits that long routes make. complete: False if it needed
+    more than `most` labels or `budget` extensions, or more time than the clock has left, at `rate` extensions per s; it
+    then proves nothing.
     One column for each closed route: visited (J, W); agents (J,) its layer of the graph; cost (J,) lower bound on its
     length; spare (J,) by how much its reduced cost could be greater, at least. depth, label: (J,) where it ends.
     """
 
-    def __init__(self, evaluations, limit, whole, most, budget, rate, clock):
+    def __init__(self, evaluations, limit, whole, longest, most, budget, rate, clock):
         self.pieces, self.n = evaluations[0].pieces, len(evaluations[0].pi)
         self.complete, self.layers, self.links = True, [], []
-        self._grow(evaluations, limit, whole, most, budget, rate, clock)
+        self._grow(evaluations, limit, longest, most, budget, rate, clock)
         if self.complete:
             self._collect(evaluations, limit, whole)
 
@@ -29,20 +30,23 @@ class Enumeration:
     def size(self):
         return sum(len(layer.left) for layer in self.layers)
 
-    def _grow(self, evaluations, limit, whole, most, budget, rate, clock):
+    def _grow(self, evaluations, limit, longest, most, budget, rate, clock):
         """Extend all labels of one number of visits after the other.
 
-        Where one agent serves all targets, most labels are in the middle: if more of the budget is gone before than the
-        share of the visits, it will not last.
+        Most labels are half way along the longest routes: if more of the budget is gone before than their share of the
+        visits, it will not last.
         """
         completions, arcs, spent = completions_of(evaluations, limit), evaluations[0].arcs, 0
         self.layers.append(lab.first_labels(evaluations, limit))
         while len(self.layers) < self.n and len(self.layers[-1].left):
-            due = budget * len(self.layers) / self.n if whole else budget
-            room, left = max(float(most - self.size), 0.0), float(min(due - spent, rate * clock.seconds))
-            layer, links, tried, self.complete = lab.extend(self.layers[-1], self.pieces, arcs, completions, room, left)
-            spent += tried
-            self.complete = self.complete and not clock.out()
+            due = budget * min(len(self.layers) / longest, 1.0)
+            extensions = int(np.diff(arcs.start)[self.layers[-1].piece].sum())
+            spent, room = spent + extensions, max(float(most - self.size), 0.0)
+            self.complete = spent <= due and extensions <= rate * clock.seconds
+            if self.complete:
+                layer, links, self.complete = lab.extend(
+                    self.layers[-1], self.pieces, arcs, completions, room, clock.out
+                )
             if not self.complete:
                 return
             self.layers.append(layer)

@@ -11,16 +11,18 @@ import numpy as np
 
 from ..compiled import compiled, inlined
 from ..motion import TIME_SLACK
-from .reach import Motion, fill_reach, make_motions, meet, segments_of
+from .reach import fill_reach, make_motion, meet, segments_of
 
-#: Flights on the grid, infinite where too late: between (P + 1, P + 1), and its transpose back. The points of target u
-#: are start[u]:start[u + 1], and behind those of all n targets comes one for the depot, as a head the end: target n;
-#: near (n + 1, n + 1): the shortest flights between targets, whatever their times; segment (P,): of each point its row
-#: in the Motion
-Network = namedtuple("Network", "between back start near segment motion")
+#: Points from which agents of K layers fly, and to which: ahead (K, 2, 3, P + 1), from and to, of x, y and t, and back,
+#: the same with time running backward. Points of target u are start[u]:start[u + 1], and behind those of all n targets
+#: comes that of the depot, or of the end: target n. near (K, n + 1, n + 1): the shortest flights between targets,
+#: whatever their times; segment (P,): of each point its row in the Motion. A flight may be `late` by so many s, and
+#: `charge` times the distance that it is short by is added to its length
+Network = namedtuple("Network", "ahead back start near late charge segment motion")
 
-#: Along a route: so_far and to_go (n + 1, widest), values at the grid points behind so many stops, and before the last
-#: so many of them, in row 0 the 0 of the depot and of the end; the least of each row (n + 1,); and the exact times
+#: Along each route: so_far and to_go (m, n + 1, widest), values at the grid points behind so many stops, and before the
+#: last so many of them, in row 0 the 0 of the depot and of the end; the least of each row (m, n + 1); and the exact
+#: times early and late (m, n + 1, 3), see `reach.fill_reach`
 Values = namedtuple("Values", "so_far to_go least_so_far least_to_go early late")
 
 
@@ -46,57 +48,61 @@ def grid_points(graph, targets, points):
 
 
 def make_networks(graph, targets, points, slack, charges):
-    """Return for each of the charges the Networks of the targets, one for each layer of the graph, in a Network whose
-    arrays but `start` and `segment` have one dimension more; points: see `grid_points`; slack: by how many steps a
-    flight may come late; charges: of the distance that it is short by, how much is added to its length."""
+    """Return for each of the charges the Network of the targets; points: see `grid_points`; slack: by how many steps a
+    flight may come late."""
     node, time, start, step = points
-    p = graph.p_lo[node] + (time - graph.t_lo[node])[:, None] * graph.v[node]
-    start = np.r_[start, len(time) + 1]
-    owner = np.repeat(np.arange(len(start) - 1), np.diff(start))
-    leaving, arriving = np.r_[time, 0.0], np.r_[time, graph.horizon]
-    late = slack * step + TIME_SLACK * graph.horizon
-    between, missing = [], []
-    for depot, end, speed in zip(graph.p_lo[graph.starts], graph.p_lo[graph.ends], graph.speeds):
-        (x, y), (x_to, y_to) = np.vstack([p, depot]).T, np.vstack([p, end]).T
-        flights = np.hypot(x_to - x[:, None], y_to - y[:, None])
-        short = np.maximum(flights - speed * (arriving - leaving[:, None]), 0.0)
-        flights[(owner == owner[:, None]) | (short > speed * late)] = np.inf
-        between.append(flights)
-        missing.append(short)
-    segment = np.cumsum(np.diff(node, prepend=-1) != 0) - 1
-    shared, motions = (np.array(between), np.array(missing)), make_motions(graph, targets)
-    return [_charged(*shared, charge, start, segment, motions) for charge in charges]
+    x, y = (graph.p_lo[node] + (time - graph.t_lo[node])[:, None] * graph.v[node]).T
+    leaving = [[np.r_[x, at_x], np.r_[y, at_y], np.r_[time, 0.0]] for at_x, at_y in graph.p_lo[graph.starts]]
+    arriving = [[np.r_[x, at_x], np.r_[y, at_y], np.r_[time, graph.horizon]] for at_x, at_y in graph.p_lo[graph.ends]]
+    ahead = np.stack([leaving, arriving], axis=1)
+    back = np.ascontiguousarray(ahead[:, ::-1]) * np.array([1.0, 1.0, -1.0])[:, None]
+    start, segment = np.r_[start, len(time) + 1], np.cumsum(np.diff(node, prepend=-1) != 0) - 1
+    late, motion = slack * step + TIME_SLACK * graph.horizon, make_motion(graph, targets)
+    near = [_nearest(ahead, start, graph.speeds, late, charge) for charge in charges]
+    return [Network(ahead, back, start, near, late, charge, segment, motion) for charge, near in zip(charges, near)]
 
 
-def _charged(between, missing, charge, start, segment, motions):
-    between = between + charge * missing
-    near = np.minimum.reduceat(np.minimum.reduceat(between, start[:-1], axis=1), start[:-1], axis=2)
-    return Network(between, between.transpose(0, 2, 1).copy(), start, near, segment, motions)
+@inlined
+def flight(dx, dy, time, speed, late, charge):
+    """Return what it costs to fly so far in that time, infinite where it is too late."""
+    distance = math.sqrt(dx * dx + dy * dy)
+    short = max(distance - speed * time, 0.0)
+    return distance + charge * short if short <= speed * late else np.inf
 
 
 @compiled
-def of_layer(networks, k):
-    """Return the Network of layer k."""
-    own = networks.motion
-    motion = Motion(own.first, own.ahead[k], own.back[k], own.speed[k], own.slack)
-    return Network(
-        networks.between[k], networks.back[k], networks.start, networks.near[k], networks.segment, motion
-    )  # fmt: skip
+def _nearest(ahead, start, speeds, late, charge):
+    """Return (K, n + 1, n + 1) the shortest flights from points of one target to points of another."""
+    layers, targets = len(speeds), len(start) - 1
+    near = np.full((layers, targets, targets), np.inf)
+    for k in range(layers):
+        x, y, t = ahead[k, 1]
+        for u in range(targets):
+            for g in range(start[u], start[u + 1]):
+                x_g, y_g, t_g = ahead[k, 0, :, g]
+                for w in range(targets):
+                    for h in range(start[w], start[w + 1] if w != u else start[w]):
+                        cost = flight(x[h] - x_g, y[h] - y_g, t[h] - t_g, speeds[k], late, charge)
+                        near[k, u, w] = min(near[k, u, w], cost)
+    return near
 
 
 @compiled
-def min_plus(values, i, here, there, start, flights, out, j):
-    """Fill row j of `out`: out[j, h] = least values[i, g] + flights from point g of target `here` to point h of target
-    `there`; return the least of it. Point h is the inner loop: along the rows of `flights`, without branches,
-    processors do several at once."""
+def min_plus(values, i, here, there, start, ways, speed, late, charge, out, j):
+    """Fill row j of `out`: out[j, h] = least values[i, g] + flight from point g of target `here` to point h of target
+    `there`; return the least of it. ways: `ahead` or `back` of a Network, of one layer. Point h is the inner loop,
+    without branches: processors do several at once."""
     size, offset = start[there + 1] - start[there], start[there]
+    x, y, t = ways[1, 0, offset:], ways[1, 1, offset:], ways[1, 2, offset:]
     for h in range(size):
         out[j, h] = np.inf
     for g in range(start[here + 1] - start[here]):
-        value, row = values[i, g], start[here] + g
+        value, point = values[i, g], start[here] + g
         if value < np.inf:
+            x_g, y_g, t_g = ways[0, 0, point], ways[0, 1, point], ways[0, 2, point]
             for h in range(size):
-                out[j, h] = min(out[j, h], value + flights[row, offset + h])
+                cost = value + flight(x[h] - x_g, y[h] - y_g, t[h] - t_g, speed, late, charge)
+                out[j, h] = min(out[j, h], cost)
     least = np.inf
     for h in range(size):
         least = min(least, out[j, h])
@@ -110,23 +116,26 @@ def stop(route, length, i):
 
 
 @compiled
-def evaluate(route, length, network, values, ahead, behind):
-    """Fill the values along a route, of whose first `ahead` and last `behind` stops they hold already; return its cost,
-    infinite if it cannot be flown."""
-    flyable = fill_reach(route, length, network.motion, values.early, values.late, ahead, behind)
+def evaluate(k, layer, route, length, network, values, ahead, behind):
+    """Fill the values along route k, for an agent of a layer, of whose first `ahead` and last `behind` stops they hold
+    already; return its cost, infinite if it cannot be flown."""
+    flyable = fill_reach(route, length, network.motion, layer, values.early[k], values.late[k], ahead, behind)
     if length == 0:
         return 0.0
     if not flyable:
         return np.inf
-    start, between, back, so_far, to_go = network.start, network.between, network.back, values.so_far, values.to_go
+    start, so_far, to_go, forth, back = (
+        network.start, values.so_far[k], values.to_go[k], network.ahead[layer], network.back[layer]
+    )  # fmt: skip
+    speed, late, charge = network.motion.speed[layer], network.late, network.charge
     for i in range(ahead, length):
-        values.least_so_far[i + 1] = min_plus(
-            so_far, i, stop(route, length, i - 1), route[i], start, between, so_far, i + 1
+        values.least_so_far[k, i + 1] = min_plus(
+            so_far, i, stop(route, length, i - 1), route[i], start, forth, speed, late, charge, so_far, i + 1
         )
     for rest in range(behind + 1, length + 1):
         i = length - rest
-        values.least_to_go[rest] = min_plus(
-            to_go, rest - 1, stop(route, length, i + 1), route[i], start, back, to_go, rest
+        values.least_to_go[k, rest] = min_plus(
+            to_go, rest - 1, stop(route, length, i + 1), route[i], start, back, speed, late, charge, to_go, rest
         )
     return least_sum(so_far, 1, to_go, length, start[route[0] + 1] - start[route[0]])
 
@@ -141,20 +150,22 @@ def least_sum(so_far, i, to_go, rest, size):
 
 
 @compiled
-def trace(route, length, network, values, segments):
-    """Fill in the rows of segments that a route can be flown along, at each stop one of the cheapest flight on from
+def trace(k, layer, route, length, network, values, segments):
+    """Fill in the rows of segments that route k can be flown along, at each stop one of the cheapest flight on from
     there that is met in time for the rest."""
-    start, motion, here = network.start, network.motion, len(network.between) - 1
-    px, py, t = values.early[0]
+    start, motion, late, charge = network.start, network.motion, network.late, network.charge
+    (leaving, arriving), own, speed = network.ahead[layer], motion.ahead[layer], motion.speed[layer]
+    here, (px, py, t) = leaving.shape[1] - 1, values.early[k, 0]
     for i in range(length):
         w, best, last, chosen = route[i], np.inf, -1, -1
         met = there = (px, py, np.inf)
-        latest = motion.slack - values.late[length - i, 2]
+        latest = motion.slack - values.late[k, length - i, 2]
         for g in range(start[w], start[w + 1]):
             s = network.segment[g]
             if s != last:
-                met, last = meet(px, py, t, motion.ahead, s, s + 1, motion.speed), s
-            cost = network.between[here, g] + values.to_go[length - i, g - start[w]]
+                met, last = meet(px, py, t, own, s, s + 1, speed), s
+            dx, dy, time = arriving[:, g] - leaving[:, here]
+            cost = flight(dx, dy, time, speed, late, charge) + values.to_go[k, length - i, g - start[w]]
             if met[2] <= latest and (cost < best or chosen < 0):
                 best, segments[i], chosen, there = cost, s, g, met
         here, (px, py, t) = chosen, there

@@ -19,6 +19,8 @@ from .sets import add, has, same, to_words
 
 _EPS = 1e-12
 _FIRST_SIZE = 1 << 12
+#: extensions between two looks at the clock, some tenths of a second
+_AT_ONCE = 2_000_000
 
 
 class Labels(NamedTuple):
@@ -75,18 +77,45 @@ def first_labels(evaluations, limit):
     )  # fmt: skip
 
 
-def extend(old, pieces, arcs, completions, most, budget):
+class _Grown(NamedTuple):
+    """Labels of one visit more so far: the first `count` of `new`, the dominated among them; following: (X,) the next
+    label of a chain; heir: (X,) what dominates each of them, or -1; head: (power of 2,) the first of each chain; links:
+    the first `linked` are in use."""
+
+    new: Labels
+    count: int
+    following: np.ndarray
+    heir: np.ndarray
+    head: np.ndarray
+    links: np.ndarray
+    linked: int
+
+
+@compiled
+def _none_grown(W):
+    return _Grown(
+        _empty(np.int64(_FIRST_SIZE), W), np.int64(0), np.empty(_FIRST_SIZE, np.int32),
+        np.full(_FIRST_SIZE, -1, np.int32), np.full(4 * _FIRST_SIZE, -1, np.int32),
+        np.empty((_FIRST_SIZE, 2), np.int32), np.int64(0),
+    )  # fmt: skip
+
+
+def extend(old, pieces, arcs, completions, most, out):
     """Extend every label of one number of visits along every arc, and drop what is dominated.
 
-    Returns (labels, links, tried, complete): those of one visit more; links: (Y, 2) pairs (old label, new label)
-    of all extensions within the limit, the dominated ones linked to what dominates them; tried: how many extensions
-    were; complete is False if more than `most` labels or `budget` tried extensions were needed, and the labels are then
-    of no use.
+    Returns (labels, links, complete): those of one visit more; links: (Y, 2) pairs (old label, new label) of all
+    extensions within the limit, the dominated ones linked to what dominates them; complete is False if more than `most`
+    labels were needed, or out() told in the middle that time is up, and the labels are then of no use.
     """
     order = np.lexsort((old.left + old.right, *old.visited.T))
-    new, count, heir, links, tried, complete = _extend(old, order, pieces, arcs, completions, most, budget)
-    if not complete:
-        return new, links, tried, False
+    due = np.cumsum(np.diff(arcs.start)[old.piece[order]]) // _AT_ONCE
+    grown, complete = _none_grown(old.visited.shape[1]), True
+    for part in np.split(order, np.flatnonzero(np.diff(due)) + 1):
+        grown, complete = _extend(old, part, pieces, arcs, completions, most, grown)
+        if not complete or out():
+            return grown.new, grown.links, False
+    new, count, _, heir, _, links, linked = grown
+    links = links[:linked]
     keep = np.flatnonzero(heir[:count] < 0)
     place = np.empty(count, np.int32)
     place[keep] = np.arange(len(keep))
@@ -94,25 +123,20 @@ def extend(old, pieces, arcs, completions, most, budget):
     while (dropped := heir[heads] >= 0).any():
         heads = np.where(dropped, heir[heads], heads)
     links[:, 1] = place[heads]
-    return Labels(*(part[keep] for part in new)), links, tried, True
+    return Labels(*(part[keep] for part in new)), links, True
 
 
 @compiled
-def _extend(old, order, pieces, arcs, completions, most, budget):
-    """Return (new, count, heir, links, tried, complete): as `extend`, but with the dominated among the first `count` of
-    the labels `new`; heir: (X,) what dominates each of them, or -1.
+def _extend(old, order, pieces, arcs, completions, most, grown):
+    """Return (_Grown, complete): `grown`, with what comes of the old labels in `order`, which are some of them.
 
-    order: of the old labels. One set after the other they lead to sets that were touched last, and the cheapest first
-    to labels that dominate the others.
+    One set after the other they lead to sets that were touched last, and the cheapest first to labels that dominate the
+    others.
 
     All in one function, with arrays unpacked first: numba counts references at each call and attribute otherwise.
     """
     W = old.visited.shape[1]
-    new, count = _empty(np.int64(_FIRST_SIZE), W), np.int64(0)
-    following = np.empty(_FIRST_SIZE, np.int32)
-    heir = np.full(_FIRST_SIZE, -1, np.int32)  # the label that dominates a dropped one
-    head = np.full(4 * _FIRST_SIZE, -1, np.int32)
-    links, linked, tried = np.empty((_FIRST_SIZE, 2), np.int32), 0, 0
+    new, count, following, heir, head, links, linked = grown
     a, b, p, v, target, demand = pieces.a, pieces.b, pieces.p, pieces.v, pieces.target, pieces.demand
     start, heads, leg = arcs.start, arcs.head, arcs.leg
     pi, limit, inside, sigma, best, span, value, memory, parity, load = completions
@@ -124,9 +148,6 @@ def _extend(old, order, pieces, arcs, completions, most, budget):
         a_q, width_q = a[q], b[q] - a[q]
         since = max(0.0, old.early[x] - a_q)
         px, py = p[q, 0] + since * v[q, 0], p[q, 1] + since * v[q, 1]
-        tried += start[q + 1] - start[q]
-        if tried > budget:
-            return new, count, heir, links[:0], tried, False
         if len(pi) > 1:
             shifts(old.visited, x, pi, shift)
         for arc in range(start[q], start[q + 1]):
@@ -178,7 +199,7 @@ def _extend(old, order, pieces, arcs, completions, most, budget):
             links[linked, 1] = count
             linked += 1
             if count >= most:
-                return new, count, heir, links[:0], tried, False
+                return _Grown(new, count, following, heir, head, links, linked), False
             if count == len(new.left):
                 new = _grown(new)
                 following = np.concatenate((following, np.empty_like(following)))
@@ -193,7 +214,7 @@ def _extend(old, order, pieces, arcs, completions, most, budget):
             following[count] = head[slot]
             head[slot] = count
             count += 1
-    return new, count, heir, links[:linked], tried, True
+    return _Grown(new, count, following, heir, head, links, linked), True
 
 
 @compiled

@@ -80,19 +80,32 @@ class Prices(NamedTuple):
 def sides(pieces, arcs):
     """Return (side, reversed side) of the arcs between pieces."""
     width = pieces.b - pieces.a
-    by_head = np.argsort(arcs.head, kind="stable")
-    into = np.searchsorted(arcs.head[by_head], np.arange(len(width) + 1))
+    into, tail, leg = _mirrored(arcs.head, arcs.tail, arcs.leg, width)
     ahead = _side(
-        pieces, pieces.a, pieces.first, pieces.last, pieces.ready, arcs.start, arcs.head, arcs.leg, into,
-        arcs.tail[by_head],
+        pieces, pieces.a, pieces.first, pieces.last, pieces.ready, arcs.start, arcs.head, arcs.leg, into, tail
     )  # fmt: skip
-    leg = arcs.leg[by_head]
-    value = leg[:, 0] + leg[:, 1] * width[arcs.tail[by_head]] + leg[:, 2] * width[arcs.head[by_head]]
-    leg = np.c_[value, -leg[:, 2], -leg[:, 1]]
     begin, end = np.ascontiguousarray(pieces.last[:, ::-1]), np.ascontiguousarray(pieces.first[:, ::-1])
     always = np.full(len(width), -np.inf)
-    back = _side(pieces, -pieces.b, begin, end, always, into, arcs.tail[by_head], leg, arcs.start, arcs.head)
+    back = _side(pieces, -pieces.b, begin, end, always, into, tail, leg, arcs.start, arcs.head)
     return ahead, back
+
+
+@compiled
+def _mirrored(head, tail, leg, width):
+    """Return (into, tail, leg) of the arcs by head, as seen backward in time: those into r in into[r]:into[r + 1]."""
+    into, by_head, mirrored = np.zeros(len(width) + 1, np.int64), np.empty_like(tail), np.empty_like(leg)
+    for k in range(len(head)):
+        into[head[k] + 1] += 1
+    into = np.cumsum(into)
+    place = into.copy()
+    for k in range(len(head)):
+        q, r = tail[k], head[k]
+        x = place[r]
+        place[r] += 1
+        by_head[x] = q
+        mirrored[x, 0] = leg[k, 0] + leg[k, 1] * width[q] + leg[k, 2] * width[r]
+        mirrored[x, 1], mirrored[x, 2] = -leg[k, 2], -leg[k, 1]
+    return into, by_head, mirrored
 
 
 def _side(pieces, a, begin, end, ready, start, head, leg, back_start, back):
@@ -160,6 +173,10 @@ def _extended(q, side, prices, lists, work, first_time, most):
                 carried = old_load[x] + demand_w
                 if has(old_memory, x, u) or carried > room_q:
                     continue
+                if known == most:  # lists of few entries prove nothing: most of what will not be kept goes at once
+                    rest = min(old_left[x], old_right[x] + leg[k, 2] * width_r) - pi_w
+                    if 2.0 * (leg[k, 0] + rest) + leg[k, 1] * width_q >= left[most - 1] + right[most - 1]:
+                        continue
                 low, high = before_leg(
                     leg[k, 0], leg[k, 1], leg[k, 2], old_left[x], old_right[x], width_q, width_r, gap, speed
                 )  # fmt: skip

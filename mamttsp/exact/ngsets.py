@@ -4,11 +4,15 @@ import numpy as np
 
 
 def nearest(pieces, arcs, n_targets, size):
-    """Return N (n, n) bool: for each target the `size` others that are cheapest to fly to or from."""
-    least = np.full((n_targets, n_targets), np.inf)
+    """Return N (n, n) bool: for each target `size` others, first those to and from which an agent can fly within the
+    same pieces, so that it could go round and round, then those cheapest to fly to or from."""
+    tail, head = arcs.tail.astype(np.int64), arcs.head.astype(np.int64)
+    mutual = np.isin(tail * len(pieces.a) + head, head * len(pieces.a) + tail)
+    least, round_trip = np.full((2, n_targets, n_targets), np.inf)
     np.minimum.at(least, (pieces.target[arcs.tail], pieces.target[arcs.head]), arcs.leg[:, 0])
+    round_trip[pieces.target[arcs.tail[mutual]], pieces.target[arcs.head[mutual]]] = 0.0
     least = np.minimum(least, least.T)
-    order = np.argsort(least, axis=1, kind="stable")[:, :size]
+    order = np.lexsort((least, round_trip), axis=1)[:, :size]
     N = np.zeros((n_targets, n_targets), dtype=bool)
     np.put_along_axis(N, order, np.isfinite(np.take_along_axis(least, order, axis=1)), axis=1)
     return N

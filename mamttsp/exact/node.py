@@ -55,7 +55,8 @@ class Node:
         the nodes to go on with."""
         p, before, routes = self.parameters, self.bound, None
         self.generation.offer_incumbent(self.incumbent)
-        for most_entries in (*p.few_entries, None):
+        few_entries = p.few_entries if self.finer_from == -np.inf else ()  # prices are good once pieces were refined
+        for most_entries in (*few_entries, None):
             routes = self.stage(most_entries)
             if not self.over() and not self.near():
                 self.search.search_more_tours(self.generation.work)
@@ -149,7 +150,8 @@ class Node:
         evaluations = self.generation.evaluations(p.prices if alone else 0, self.clock)
         self.raise_bound(evaluations[0].bound)
         budget = (p.enumeration_alone if alone else p.enumeration) * self.generation.work
-        routes = Enumeration(evaluations, limit, alone, p.most_labels, budget, p.rate, self.clock)
+        longest = max(map(len, self.incumbent.routes), default=self.n)
+        routes = Enumeration(evaluations, limit, alone, longest, p.most_labels, budget, p.rate, self.clock)
         self.search.labels += routes.size
         if not routes.complete:
             self.search.report("labels")

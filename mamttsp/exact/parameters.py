@@ -23,17 +23,19 @@ class Parameters:
     idle_steps: int = 20
     #: column generation ends when the bound is within this share of the gap of the master's value
     converged: float = 0.05
-    #: prices are moved with only so many entries of each piece at first, one after the other
+    #: prices are moved with only so many entries of each of the first pieces, one after the other, and along arcs
+    #: between a target and only so many others, those cheapest to fly to or from
     few_entries: tuple = (3, 8)
+    few_targets: int = 40
     #: arcs are dropped during column generation whenever the gap has shrunk to this share since the last time
     dropped: float = 0.8
     #: length of the first pieces, as a share of the time there is for each target, and pieces of one, at least
     piece: float = 0.35
     pieces_each: int = 8
     #: and of all together, at most
-    first_pieces: int = 1500
+    first_pieces: int = 500
     #: looks of ruin and recreate, for each target; iterations of one, for each target, and at most
-    annealing: float = 0.3
+    annealing: float = 0.5
     annealing_step: int = 25
     annealing_longest: int = 500
     #: while the gap is wide as many iterations in all, times targets and agents, for each entry that prices extend, and

@@ -12,8 +12,8 @@ from ..compiled import compiled
 from ..motion import TIME_SLACK, earliest_meeting
 
 #: Segments of target u in rows first[u]:first[u + 1], and behind those of all n targets one where an agent ends: ahead
-#: (S, 6), in order of time: place at its start, velocity, start and end; back (S, 6): as seen with time running
-#: backward, where agents end at their depot; speed of the agents; slack: s that rounding errors may cost
+#: (K, S, 6), of each layer, in order of time: place at its start, velocity, start and end; back (K, S, 6): as seen with
+#: time running backward, where agents end at their depot; speed (K,); slack: s that rounding errors may cost
 Motion = namedtuple("Motion", "first ahead back speed slack")
 
 
@@ -23,9 +23,8 @@ def segments_of(graph, u):
     return cluster[graph.layer[cluster] == 0]
 
 
-def make_motions(graph, targets):
-    """Return the Motions of the targets, one for each layer of the graph, in a Motion whose `ahead`, `back` and `speed`
-    have one dimension more."""
+def make_motion(graph, targets):
+    """Return the Motion of the targets."""
     nodes = [segments_of(graph, u) for u in targets]
     segments = [np.c_[graph.p_lo[own], graph.v[own], graph.t_lo[own], graph.t_hi[own]] for own in nodes]
     mirrored = [_mirrored(own)[::-1] for own in segments]
@@ -53,18 +52,18 @@ def meet(px, py, t, segments, first, last, speed):
 
 
 @compiled
-def fill_reach(route, length, motion, early, late, ahead, behind):
-    """Fill in early (n + 1, 3), where and when an agent can be behind so many stops, and late (n + 1, 3), the same
-    before the last so many of them with time running backward, but of the first `ahead` and the last `behind` stops, of
-    which they hold already; return whether the route can be flown."""
-    first, speed = motion.first, motion.speed
-    early[0, 0], early[0, 1], early[0, 2] = motion.back[-1, 0], motion.back[-1, 1], 0.0
-    late[0, 0], late[0, 1], late[0, 2] = motion.ahead[-1, 0], motion.ahead[-1, 1], motion.back[-1, 4]
+def fill_reach(route, length, motion, layer, early, late, ahead, behind):
+    """Fill in early (n + 1, 3), where and when an agent of a layer can be behind so many stops, and late (n + 1, 3),
+    the same before the last so many of them with time running backward, but of the first `ahead` and the last `behind`
+    stops, of which they hold already; return whether the route can be flown."""
+    first, forth, back, speed = motion.first, motion.ahead[layer], motion.back[layer], motion.speed[layer]
+    early[0, 0], early[0, 1], early[0, 2] = back[-1, 0], back[-1, 1], 0.0
+    late[0, 0], late[0, 1], late[0, 2] = forth[-1, 0], forth[-1, 1], back[-1, 4]
     for i in range(ahead, length):
-        _next_stop(early, i, motion.ahead, first[route[i]], first[route[i] + 1], speed)
+        _next_stop(early, i, forth, first[route[i]], first[route[i] + 1], speed)
     for rest in range(behind, length):
         u = route[length - 1 - rest]
-        _next_stop(late, rest, motion.back, first[u], first[u + 1], speed)
+        _next_stop(late, rest, back, first[u], first[u + 1], speed)
     return early[length, 2] < np.inf and late[length, 2] < np.inf
 
 
@@ -76,12 +75,11 @@ def _next_stop(times, i, segments, first, last, speed):
 
 
 @compiled
-def fits(w, behind, early, i, late, rest, motion):
-    """Tell whether an agent that is behind i stops at the earliest can meet target w, and then `behind`, the first of
-    the last `rest` stops or the end, before it is too late for these."""
-    first, ahead, speed = motion.first, motion.ahead, motion.speed
-    x, y, t = meet(early[i, 0], early[i, 1], early[i, 2], ahead, first[w], first[w + 1], speed)
+def fits(w, behind, early, late, first, segments, speed):
+    """Tell whether an agent that is where and when `early` (3,) says can meet target w, and then `behind`, a target or
+    the end, by the time `late`; first, segments: of the Motion, `ahead` of the agent's layer."""
+    x, y, t = meet(early[0], early[1], early[2], segments, first[w], first[w + 1], speed)
     if t == np.inf:
         return False
-    _, _, t = meet(x, y, t, ahead, first[behind], first[behind + 1], speed)
-    return t <= motion.slack - late[rest, 2]
+    _, _, t = meet(x, y, t, segments, first[behind], first[behind + 1], speed)
+    return t <= late

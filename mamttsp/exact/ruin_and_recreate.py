@@ -9,9 +9,11 @@ from collections import namedtuple
 import numpy as np
 
 from ..compiled import compiled
-from .grid import Values, evaluate, grid_points, least_sum, make_networks, min_plus, of_layer, stop, trace
+from .grid import Values, evaluate, grid_points, least_sum, make_networks, min_plus, stop, trace
 from .reach import fits, segments_of
 
+#: Routes (m, n), their lengths (m,) and costs (m,), and the Values along them
+Plan = namedtuple("Plan", "routes length cost values")
 #: What a ruin takes out, see `parameters.Parameters`: `removed` targets on average, of one route no more than `string`;
 #: `radial`: how often they are the closest ones; blink: how often a place is overlooked; heat: of annealing at first
 Ruins = namedtuple("Ruins", "removed string radial blink heat")
@@ -57,23 +59,28 @@ class Annealing:
 
 
 @compiled
-def _place(w, routes, length, cost, networks, values, layer, demand, room, blink, arrive, leave):
-    """Return (k, i): the cheapest place to insert w, before stop i of route k; k = -1 if there is none."""
-    places, bound = _places(w, routes, length, cost, networks, values, layer, demand, room, blink)
+def _place(w, routes, length, cost, network, values, layer, demand, room, blink, arrive, leave):
+    """Return (k, i): the cheapest place to insert w, before stop i of route k; k = -1 if there is none.
+
+    Arrays are unpacked first: numba counts references at each attribute otherwise.
+    """
+    places, bound = _places(w, routes, length, cost, network.near, values, layer, demand, room, blink)
+    ahead, back, start, near, tardy, charge, _, (first, segments, _, speeds, slack) = network
+    so_far, to_go, _, least_to_go, early, late = values
     best, best_k, best_i = np.inf, -1, -1
     while len(bound):
         place = np.argmin(bound)
         if bound[place] >= best:
             break
         bound[place], k, i = np.inf, places[place, 0], places[place, 1]
-        (between, back, start, near, _, motion), here, rest = networks[k], values[k], length[k] - i
-        before, behind, cutoff = stop(routes[k], length[k], i - 1), stop(routes[k], length[k], i), best + cost[k]
-        if not fits(w, behind, here.early, i, here.late, rest, motion):
+        of, rest, cutoff, speed = layer[k], length[k] - i, best + cost[k], speeds[layer[k]]
+        before, behind = stop(routes[k], length[k], i - 1), stop(routes[k], length[k], i)
+        if not fits(w, behind, early[k, i], slack - late[k, rest, 2], first, segments[of], speed):
             continue
-        least_to_go = near[w, behind] + here.least_to_go[rest]
-        if min_plus(here.so_far, i, before, w, start, between, arrive, 0) + least_to_go >= cutoff:
+        arrived = min_plus(so_far[k], i, before, w, start, ahead[of], speed, tardy, charge, arrive, 0)
+        if arrived + near[of, w, behind] + least_to_go[k, rest] >= cutoff:
             continue
-        min_plus(here.to_go, rest, behind, w, start, back, leave, 0)
+        min_plus(to_go[k], rest, behind, w, start, back[of], speed, tardy, charge, leave, 0)
         total = least_sum(arrive, 0, leave, 0, start[w + 1] - start[w])
         if total < cutoff:
             best, best_k, best_i = total - cost[k], k, i
@@ -81,25 +88,28 @@ def _place(w, routes, length, cost, networks, values, layer, demand, room, blink
 
 
 @compiled
-def _places(w, routes, length, cost, networks, values, layer, demand, room, blink):
+def _places(w, routes, length, cost, near, values, layer, demand, room, blink):
     """Return (places (P, 2), bound (P,)): routes and stops before which w might be inserted, and at least what that
     costs, from shortest flights."""
     places, bound = np.empty((len(length) + routes.shape[1], 2), np.int64), np.empty(len(length) + routes.shape[1])
+    least_so_far, least_to_go, n = values.least_so_far, values.least_to_go, routes.shape[1]
     size, seen_empty = 0, -1
     for k in range(len(length)):
+        of = layer[k]
         if length[k] == 0:
-            if seen_empty == layer[k]:  # one like it
+            if seen_empty == of:  # one like it
                 continue
-            seen_empty = layer[k]
-        if demand[w] + _load(routes[k], length[k], demand) > room[layer[k]]:
+            seen_empty = of
+        if demand[w] + _load(routes[k], length[k], demand) > room[of]:
             continue
-        near, here = networks[k].near, values[k]
+        before = n
         for i in range(length[k] + 1):
-            before, behind = stop(routes[k], length[k], i - 1), stop(routes[k], length[k], i)
-            least = here.least_so_far[i] + near[before, w] + near[w, behind] + here.least_to_go[length[k] - i]
+            behind = routes[k, i] if i < length[k] else n
+            least = least_so_far[k, i] + near[of, before, w] + near[of, w, behind] + least_to_go[k, length[k] - i]
             if least < np.inf and np.random.random() >= blink:
                 places[size, 0], places[size, 1], bound[size] = k, i, least - cost[k]
                 size += 1
+            before = behind
     return places[:size], bound[:size]
 
 
@@ -112,11 +122,11 @@ def _load(route, length, demand):
 
 
 @compiled
-def _insert_all(bank, routes, length, cost, networks, values, layer, demand, room, blink, arrive, leave):
+def _insert_all(bank, routes, length, cost, network, values, layer, demand, room, blink, arrive, leave):
     """Insert each target of the bank at its cheapest place; return those for which there is none."""
     left = 0
     for w in bank:
-        k, i = _place(w, routes, length, cost, networks, values, layer, demand, room, blink, arrive, leave)
+        k, i = _place(w, routes, length, cost, network, values, layer, demand, room, blink, arrive, leave)
         if k < 0:
             bank[left] = w
             left += 1
@@ -125,7 +135,7 @@ def _insert_all(bank, routes, length, cost, networks, values, layer, demand, roo
             routes[k, j] = routes[k, j - 1]
         routes[k, i] = w
         length[k] += 1
-        cost[k] = evaluate(routes[k], length[k], networks[k], values[k], i, length[k] - 1 - i)
+        cost[k] = evaluate(k, layer[k], routes[k], length[k], network, values, i, length[k] - 1 - i)
     return bank[:left].copy()
 
 
@@ -191,60 +201,90 @@ def _absent(routes, length):
 
 
 @compiled
+def _no_plan(m, n, widest):
+    """Return a Plan of routes that are like no others."""
+    rows, least, times = (m, n + 1, widest), (m, n + 1), (m, n + 1, 3)
+    values = Values(
+        np.zeros(rows), np.zeros(rows), np.zeros(least), np.zeros(least), np.zeros(times), np.zeros(times)
+    )  # fmt: skip
+    return Plan(np.zeros((m, n), np.int64), np.full(m, -1), np.zeros(m), values)
+
+
+@compiled
+def _alike(route, length, other, other_length):
+    """Return (ahead, behind): how many first and last stops a route has in common with another one."""
+    ahead, behind, most = 0, 0, min(length, other_length)
+    while ahead < most and route[ahead] == other[ahead]:
+        ahead += 1
+    while behind < most - ahead and route[length - 1 - behind] == other[other_length - 1 - behind]:
+        behind += 1
+    return ahead, behind
+
+
+@compiled
+def _take(plan, other):
+    """Make the routes of the other Plan those of `plan`, with their values."""
+    m = len(plan.length)
+    so_far, to_go, least_so_far, least_to_go, early, late = plan.values
+    for k in range(m):
+        length = plan.length[k]
+        ahead, _ = _alike(plan.routes[k], length, other.routes[k], other.length[k])
+        if ahead == length == other.length[k]:
+            continue
+        other.length[k], other.cost[k] = length, plan.cost[k]
+        for i in range(length):
+            other.routes[k, i] = plan.routes[k, i]
+        for i in range(length + 1):
+            other.values.least_so_far[k, i], other.values.least_to_go[k, i] = least_so_far[k, i], least_to_go[k, i]
+            for g in range(so_far.shape[2]):
+                other.values.so_far[k, i, g], other.values.to_go[k, i, g] = so_far[k, i, g], to_go[k, i, g]
+            for x in range(3):
+                other.values.early[k, i, x], other.values.late[k, i, x] = early[k, i, x], late[k, i, x]
+
+
+@compiled
 def ruin_and_recreate(
-    by_layer, order, layer, demand, room, routes, length, penalty, ruins, iterations, warm, cool, seed
+    network, order, layer, demand, room, routes, length, penalty, ruins, iterations, warm, cool, seed
 ):  # fmt: skip
     """Return (routes (m, n), length (m,), best_length (m,), segments (m, n)): where annealing from the given routes
     ends, and the lengths and segments of the best routes on the way; `penalty` for each target left out.
 
-    by_layer: see `grid.make_networks`; order: see `_closeness`; room: of each layer; layer: (m,) of each route, in
+    network: see `grid`; order: see `_closeness`; room: of each layer; layer: (m,) of each route, in
     order; demand: (n,).
     """
     np.random.seed(seed)
     m, n = routes.shape
     widest = 0
     for u in range(n):
-        widest = max(widest, by_layer.start[u + 1] - by_layer.start[u])
-    networks = [of_layer(by_layer, k) for k in layer]
-    rows = n + 1, widest
-    times = n + 1, 3
-    values = [
-        Values(np.zeros(rows), np.zeros(rows), np.zeros(n + 1), np.zeros(n + 1), np.zeros(times), np.zeros(times))
-        for _ in range(m)
-    ]
+        widest = max(widest, network.start[u + 1] - network.start[u])
     arrive, leave = np.empty((1, widest)), np.empty((1, widest))
-    routes, length, cost = routes.copy(), length.copy(), np.zeros(m)
+    plan, kept = _no_plan(m, n, widest), _no_plan(m, n, widest)
+    plan.routes[:], plan.length[:] = routes, length
+    routes, length, cost, values = plan
     for k in range(m):
-        cost[k] = evaluate(routes[k], length[k], networks[k], values[k], np.int64(0), np.int64(0))
+        cost[k] = evaluate(k, layer[k], routes[k], length[k], network, values, np.int64(0), np.int64(0))
     absent = _absent(routes, length)
     now = cost.sum() + penalty * len(absent)
     best, best_routes, best_length = now, routes.copy(), length.copy()
     segments = np.zeros((m, n), np.int64)
+    _take(plan, kept)
     for it in range(iterations):
-        kept_routes, kept_length, kept_cost, kept_absent = routes.copy(), length.copy(), cost.copy(), absent
         bank = _remove(np.random.randint(n), order, routes, length, absent, ruins)
         for k in range(m):
-            if length[k] != kept_length[k]:
-                cost[k] = evaluate(routes[k], length[k], networks[k], values[k], np.int64(0), np.int64(0))
-        absent = _insert_all(
-            bank, routes, length, cost, networks, values, layer, demand, room, ruins.blink, arrive, leave
-        )
-        total = cost.sum() + penalty * len(absent)
+            if length[k] != kept.length[k]:
+                ahead, behind = _alike(routes[k], length[k], kept.routes[k], kept.length[k])
+                cost[k] = evaluate(k, layer[k], routes[k], length[k], network, values, ahead, behind)
+        left = _insert_all(bank, routes, length, cost, network, values, layer, demand, room, ruins.blink, arrive, leave)
+        total = cost.sum() + penalty * len(left)
         heat = ruins.heat * best * (warm + (cool - warm) * it / iterations) ** 2
-        accepted = total < now - heat * math.log(np.random.random() + 1e-300)
-        if accepted:
-            now = total
+        if total < now - heat * math.log(np.random.random() + 1e-300):
+            now, absent = total, left
+            _take(plan, kept)
             if total < best:
                 best, best_routes, best_length = total, routes.copy(), length.copy()
-            continue
-        for k in range(m):
-            changed = length[k] != kept_length[k]
-            for i in range(length[k]):
-                changed = changed or routes[k, i] != kept_routes[k, i]
-            if changed:
-                evaluate(kept_routes[k], kept_length[k], networks[k], values[k], np.int64(0), np.int64(0))
-        routes, length, cost, absent = kept_routes, kept_length, kept_cost, kept_absent
+        else:
+            _take(kept, plan)
     for k in range(m):
-        evaluate(best_routes[k], best_length[k], networks[k], values[k], np.int64(0), np.int64(0))
-        trace(best_routes[k], best_length[k], networks[k], values[k], segments[k])
+        evaluate(k, layer[k], best_routes[k], best_length[k], network, values, np.int64(0), np.int64(0))
+        trace(k, layer[k], best_routes[k], best_length[k], network, values, segments[k])
     return routes, length, best_length, segments

@@ -30,6 +30,7 @@ FORCED = {
     "arcs are dropped whenever they can be": {"dropped": 1.0, **NONE_FITS},
     "every gap is small": {"near": 1.0},
     "no gap is small": {"near": 0.0},
+    "prices move along arcs to the nearest target": {"few_targets": 1},
     "one piece for each segment": {"first_pieces": 1},
     "one column an evaluation": {"columns": 1, "columns_each": 1},
     "two steps of column generation": {"most_steps": 2},

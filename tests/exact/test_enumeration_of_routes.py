@@ -1,10 +1,12 @@
 """Labels: whatever route a solution within the limit may use is among the columns, and every column can be flown."""
 
+import itertools
+
 import numpy as np
 import pytest
 
 from mamttsp import build_graph, generate, solve
-from mamttsp.exact import Parameters
+from mamttsp.exact import Parameters, labels
 from mamttsp.exact.column_generation import ColumnGeneration
 from mamttsp.exact.cuts import Cuts
 from mamttsp.exact.enumeration import Enumeration
@@ -33,8 +35,8 @@ CASES = [(seed, m) for seed in range(6) for m in (1, 2)] + [(seed, None) for see
 NO_LIMIT = 1e9
 
 
-def _enumeration(evaluations, limit, whole=False, most=np.inf, budget=np.inf):
-    return Enumeration(evaluations, limit, whole, most, budget, np.inf, Watch())
+def _enumeration(evaluations, limit, whole=False, longest=1, most=np.inf, budget=np.inf):
+    return Enumeration(evaluations, limit, whole, longest, most, budget, np.inf, Watch())
 
 
 def _evaluations(seed, n_agents, cuts=3):
@@ -145,12 +147,20 @@ def test_what_needs_too_many_labels_is_told():
     assert not _enumeration(evaluations, NO_LIMIT, most=_enumeration(evaluations, NO_LIMIT).size // 2).complete
 
 
-def test_an_agent_that_serves_all_targets_ends_early_what_will_not_last():
-    """More than the budget's share of the first half is gone after half of the visits."""
-    _, _, _, evaluations = _evaluations(0, 1, cuts=0)
-    full = _enumeration(evaluations, NO_LIMIT, whole=True)
-    early = _enumeration(evaluations, NO_LIMIT, whole=True, budget=1.5 * full.size)
-    assert full.complete and not early.complete and len(early.layers) < len(full.layers) - 1
+@pytest.mark.parametrize("whole", [True, False])
+def test_what_will_not_last_ends_early(whole):
+    """More than the budget's share of the first half is gone after half of the visits of a long route; or the next
+    visit alone takes more than is left of it."""
+    graph, _, _, evaluations = _evaluations(0, 1, cuts=0)
+    full = _enumeration(evaluations, NO_LIMIT, whole, graph.n_targets)
+    outgoing = np.diff(evaluations[0].arcs.start)
+    extensions = [int(outgoing[layer.piece].sum()) for layer in full.layers]
+    assert full.complete and extensions[-1] < extensions[2] > extensions[0]
+    early = _enumeration(evaluations, NO_LIMIT, whole, graph.n_targets, budget=sum(extensions))
+    assert not early.complete and len(early.layers) < len(full.layers) - 1
+    assert _enumeration(evaluations, NO_LIMIT, whole, budget=sum(extensions)).complete
+    one_short = _enumeration(evaluations, NO_LIMIT, whole, budget=sum(extensions[:3]) - 1)
+    assert not one_short.complete and len(one_short.layers) == 3
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -167,3 +177,23 @@ def test_other_prices_leave_fewer_labels_and_the_optimum(seed):
     one, many = (_enumeration(own, limit, whole=True) for own in (evaluations[:1], evaluations))
     assert many.size < 0.8 * one.size and len(many.cost)
     assert many.cost.min() == pytest.approx(one.cost.min(), rel=1e-9) and many.cost.min() <= limit
+
+
+@pytest.mark.parametrize("seed, n_agents", CASES[:8])
+def test_labels_are_the_same_however_often_the_clock_is_looked_at(monkeypatch, seed, n_agents):
+    _, length, _, evaluations = _evaluations(seed, n_agents)
+    at_once = _enumeration(evaluations, length * 1.2)
+    monkeypatch.setattr(labels, "_AT_ONCE", 7)
+    in_parts = _enumeration(evaluations, length * 1.2)
+    for one, other in zip(at_once.layers, in_parts.layers, strict=True):
+        assert all(np.array_equal(part, same) for part, same in zip(one, other))
+    assert all(np.array_equal(one, other) for one, other in zip(at_once.links, in_parts.links, strict=True))
+    assert np.array_equal(at_once.cost, in_parts.cost) and len(at_once.cost)
+
+
+def test_labels_end_in_the_middle_of_a_visit_when_time_is_up(monkeypatch):
+    _, _, _, evaluations = _evaluations(0, 2)
+    monkeypatch.setattr(labels, "_AT_ONCE", 7)
+    asked = itertools.count()
+    monkeypatch.setattr(Watch, "out", lambda _: next(asked) >= 3)
+    assert not _enumeration(evaluations, NO_LIMIT).complete and next(asked) == 4

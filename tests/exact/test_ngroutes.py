@@ -257,3 +257,35 @@ def test_grown_ng_sets_forbid_the_cycles_that_they_grew_from(seed):
     walks = [walk for walk in walks if (np.diff(walk) != 0).all() and len(set(walk)) < len(walk)]
     after = ngsets.grown(walks, N, 8)
     assert (after | ~N).all() and all(ngsets.forbidden(walk, after) for walk in walks)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_first_ng_sets_hold_those_that_a_route_can_fly_to_and_back_from_within_the_same_pieces_then_the_closest(seed):
+    network = network_of(small(seed, 6, 60), 20.0)
+    pieces, n = network.pieces, 6
+    flown = list(zip(network.arcs.tail.tolist(), network.arcs.head.tolist()))
+    mutual = {(int(pieces.target[q]), int(pieces.target[r])) for q, r in flown if (r, q) in set(flown)}
+    least = {}
+    for (q, r), (leg, *_) in zip(flown, network.arcs.leg):
+        for pair in ((pieces.target[q], pieces.target[r]), (pieces.target[r], pieces.target[q])):
+            least[pair] = min(least.get(pair, np.inf), leg)
+    for size in range(1, n):
+        N = ngsets.nearest(pieces, network.arcs, n, size)
+        for u in range(n):
+            others = sorted((w for w in range(n) if (u, w) in least), key=lambda w: ((u, w) not in mutual, least[u, w]))
+            assert set(np.flatnonzero(N[u])) == set(others[:size])
+    assert mutual
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_backward_in_time_arcs_are_the_same_legs(seed):
+    network = network_of(small(seed, 5), 6.0)
+    arcs, back, width = network.arcs, network.back, network.ahead.width
+    legs = {(q, r): leg for q, r, leg in zip(arcs.tail, arcs.head, arcs.leg)}
+    assert back.start[-1] == len(legs) == len(back.head)
+    for r in range(len(width)):
+        for k in range(back.start[r], back.start[r + 1]):
+            value, in_q, in_r = legs.pop((back.head[k], r))
+            q = back.head[k]
+            assert back.leg[k] == pytest.approx([value + in_q * width[q] + in_r * width[r], -in_r, -in_q])
+    assert not legs
