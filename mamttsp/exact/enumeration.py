@@ -13,16 +13,15 @@ class Enumeration:
     the evaluations, grown from the depot over the arcs of their network.
 
     whole: whether each route serves all targets; longest: visits that long routes make. complete: False if it needed
-    more than `most` labels or `budget` extensions, or more time than the clock has left, at `rate` extensions per s; it
-    then proves nothing.
+    more than `most` labels or `budget` extensions, or more time than the clock has left; it then proves nothing.
     One column for each closed route: visited (J, W); agents (J,) its layer of the graph; cost (J,) lower bound on its
     length; spare (J,) by how much its reduced cost could be greater, at least. depth, label: (J,) where it ends.
     """
 
-    def __init__(self, evaluations, limit, whole, longest, most, budget, rate, clock):
+    def __init__(self, evaluations, limit, whole, longest, most, budget, clock):
         self.pieces, self.n = evaluations[0].pieces, len(evaluations[0].pi)
         self.complete, self.layers, self.links = True, [], []
-        self._grow(evaluations, limit, longest, most, budget, rate, clock)
+        self._grow(evaluations, limit, longest, most, budget, clock)
         if self.complete:
             self._collect(evaluations, limit, whole)
 
@@ -30,7 +29,7 @@ class Enumeration:
     def size(self):
         return sum(len(layer.left) for layer in self.layers)
 
-    def _grow(self, evaluations, limit, longest, most, budget, rate, clock):
+    def _grow(self, evaluations, limit, longest, most, budget, clock):
         """Extend all labels of one number of visits after the other.
 
         Most labels are half way along the longest routes: if more of the budget is gone before than their share of the
@@ -40,9 +39,8 @@ class Enumeration:
         self.layers.append(lab.first_labels(evaluations, limit))
         while len(self.layers) < self.n and len(self.layers[-1].left):
             due = budget * min(len(self.layers) / longest, 1.0)
-            extensions = int(np.diff(arcs.start)[self.layers[-1].piece].sum())
-            spent, room = spent + extensions, max(float(most - self.size), 0.0)
-            self.complete = spent <= due and extensions <= rate * clock.seconds
+            spent += int(np.diff(arcs.start)[self.layers[-1].piece].sum())
+            room, self.complete = max(float(most - self.size), 0.0), spent <= due
             if self.complete:
                 layer, links, self.complete = lab.extend(
                     self.layers[-1], self.pieces, arcs, completions, room, clock.out

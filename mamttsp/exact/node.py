@@ -151,7 +151,7 @@ class Node:
         self.raise_bound(evaluations[0].bound)
         budget = (p.enumeration_alone if alone else p.enumeration) * self.generation.work
         longest = max(map(len, self.incumbent.routes), default=self.n)
-        routes = Enumeration(evaluations, limit, alone, longest, p.most_labels, budget, p.rate, self.clock)
+        routes = Enumeration(evaluations, limit, alone, longest, p.most_labels, budget, self.clock)
         self.search.labels += routes.size
         if not routes.complete:
             self.search.report("labels")

@@ -82,8 +82,6 @@ class Parameters:
     drawn: float = 0.4
     #: an enumeration is tried again over the same pieces once the gap has shrunk to this share
     narrower: float = 0.8
-    #: label extensions per second, an underestimate, to stop in time
-    rate: float = 8e6
     #: a means of raising the bound is used again if it closed this share of the gap
     worthwhile: float = 0.05
     #: a level of the master's columns this close to 0 or 1 is not worth a split, and a number of routes to a whole one

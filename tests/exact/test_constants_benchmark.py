@@ -7,7 +7,7 @@ from mamttsp import generate
 from mamttsp.exact import Parameters
 
 #: limits of memory, time and accuracy, which are not weighed
-LIMITS = {"annealing_step", "annealing_longest", "choice_seconds", "most_labels", "rate", "most_pieces", "most_arcs"}
+LIMITS = {"annealing_step", "annealing_longest", "choice_seconds", "most_labels", "most_pieces", "most_arcs"}
 LIMITS |= {"arcs_rate", "hardly", "thinnest", "left_out"}
 
 

@@ -36,7 +36,7 @@ NO_LIMIT = 1e9
 
 
 def _enumeration(evaluations, limit, whole=False, longest=1, most=np.inf, budget=np.inf):
-    return Enumeration(evaluations, limit, whole, longest, most, budget, np.inf, Watch())
+    return Enumeration(evaluations, limit, whole, longest, most, budget, Watch())
 
 
 def _evaluations(seed, n_agents, cuts=3):
