@@ -6,6 +6,7 @@ the box or given back at the lower one.
 
 import copy
 import dataclasses
+import time
 
 import numpy as np
 
@@ -34,7 +35,7 @@ class ColumnGeneration:
 
     best: the Evaluation of the greatest bound over the present network, ng-sets and cuts, None before the first;
     support: (route, level, layer) of the master's columns in use; decisions: see `splitting`; work: entries extended
-    along arcs so far.
+    along arcs so far; lasted: seconds of the latest evaluation, for no other one begins that would end too late.
     """
 
     def __init__(self, network, n_targets, fleet, pi, parameters, unit):
@@ -42,7 +43,7 @@ class ColumnGeneration:
         self.pi, self.cuts, self.best, self.support = pi, Cuts.none(n_targets), None, []
         self.box, self.dropped_at, self.work, self.decisions, self._near = np.inf, np.inf, 0, (), None
         self.N = ngsets.nearest(network.pieces, network.arcs, n_targets, parameters.ng_size)
-        self.columns, self.tried = Columns([], [], [], []), []
+        self.columns, self.tried, self.lasted = Columns([], [], [], []), [], 0.0
         self._fresh_master()
 
     def _fresh_master(self):
@@ -141,9 +142,10 @@ class ColumnGeneration:
 
     def evaluate(self, pi, cuts, most_entries=None):
         """Return an Evaluation; of few entries it is of few arcs as well, and proves nothing."""
-        network = self.network if most_entries is None else self.near_network()
+        network, before = self.network if most_entries is None else self.near_network(), time.monotonic()
         found = evaluate(network, self.N, pi, cuts, self.fleet, self.tolerance, most_entries)
         self.work += int(found.lists.count[network.arcs.head].sum())
+        self.lasted = time.monotonic() - before
         return found
 
     def near_network(self):
@@ -199,7 +201,7 @@ class ColumnGeneration:
                 self.best, idle = evaluation, 0
             elif value < self.best.value - 2.0 * predicted:
                 box *= 0.6
-            if self.best.value >= limit or idle > p.idle_steps or clock.out():
+            if self.best.value >= limit or idle > p.idle_steps or clock.out() or clock.seconds < self.lasted:
                 break
             routes, endless = evaluation.columns(p.columns, p.columns_each, 3 * self.n)
             pieces = evaluation.pieces

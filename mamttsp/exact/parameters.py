@@ -34,8 +34,10 @@ class Parameters:
     pieces_each: int = 8
     #: and of all together, at most
     first_pieces: int = 500
-    #: looks of ruin and recreate, for each target; iterations of one, for each target, and at most
+    #: looks of ruin and recreate, for each target, and the share of the time left that they may take; iterations of
+    #: one, for each target, and at most
     annealing: float = 0.5
+    annealing_most: float = 0.25
     annealing_step: int = 25
     annealing_longest: int = 500
     #: while the gap is wide as many iterations in all, times targets and agents, for each entry that prices extend, and

@@ -42,7 +42,9 @@ class Search:
             self.progress(Progress(self.clock.spent, *self.standing.figures(), self.labels, phase, self.columns))
 
     def over(self):
-        return self.standing.closed() or self.clock.out()
+        """Whether the run has to end: less time than another evaluation takes is as good as none."""
+        lasted = max((node.generation.lasted for node in self.nodes), default=0.0)
+        return self.standing.closed() or self.clock.out() or self.clock.seconds < lasted
 
     def run(self):
         """Run until the gap is closed, infeasibility is proved, time is up, or nothing is left that could help."""
@@ -105,10 +107,11 @@ class Search:
         return min(self.n * self.parameters.annealing_step, self.parameters.annealing_longest)
 
     def search_tours(self, looks):
-        """Look for tours by ruin and recreate, so many looks, then among all their routes."""
-        looks = max(1, round(looks))
+        """Look for tours by ruin and recreate, so many looks but no longer than a share of the time that is left, then
+        among all their routes."""
+        looks, enough = max(1, round(looks)), (1.0 - self.parameters.annealing_most) * self.clock.seconds
         for look in range(looks):
-            if self.clock.out():
+            if self.clock.out() or self.clock.seconds < enough:
                 break
             self.iterations += self.iterations_each
             if routes := self.annealing.run(self.iterations_each, 1.0 - look / looks, 1.0 - (look + 1) / looks):
