@@ -35,7 +35,8 @@ class ColumnGeneration:
 
     best: the Evaluation of the greatest bound over the present network, ng-sets and cuts, None before the first;
     support: (route, level, layer) of the master's columns in use; decisions: see `splitting`; work: entries extended
-    along arcs so far; lasted: seconds of the latest evaluation, for no other one begins that would end too late.
+    along arcs so far; lasted: seconds of the latest evaluation of all entries, at first about what it will take: none
+    begins that would end too late.
     """
 
     def __init__(self, network, n_targets, fleet, pi, parameters, unit):
@@ -43,7 +44,8 @@ class ColumnGeneration:
         self.pi, self.cuts, self.best, self.support = pi, Cuts.none(n_targets), None, []
         self.box, self.dropped_at, self.work, self.decisions, self._near = np.inf, np.inf, 0, (), None
         self.N = ngsets.nearest(network.pieces, network.arcs, n_targets, parameters.ng_size)
-        self.columns, self.tried, self.lasted = Columns([], [], [], []), [], 0.0
+        self.columns, self.tried = Columns([], [], [], []), []
+        self.lasted = len(network.arcs.head) / parameters.arcs_rate
         self._fresh_master()
 
     def _fresh_master(self):
@@ -145,7 +147,8 @@ class ColumnGeneration:
         network, before = self.network if most_entries is None else self.near_network(), time.monotonic()
         found = evaluate(network, self.N, pi, cuts, self.fleet, self.tolerance, most_entries)
         self.work += int(found.lists.count[network.arcs.head].sum())
-        self.lasted = time.monotonic() - before
+        if most_entries is None:
+            self.lasted = time.monotonic() - before
         return found
 
     def near_network(self):
@@ -179,7 +182,7 @@ class ColumnGeneration:
         Arcs that no solution below the limit uses are dropped on the way. on_bound: told each bound.
         """
         self._converge(limit, clock, on_bound, most_entries)
-        if most_entries is not None and not clock.out():
+        if most_entries is not None and not clock.out() and clock.seconds >= self.lasted:
             self.best = self.evaluate(self.pi, self.cuts)
             on_bound(self.best.bound)
             self._drop(limit)
