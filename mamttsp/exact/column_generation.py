@@ -151,6 +151,10 @@ class ColumnGeneration:
             self.lasted = time.monotonic() - before
         return found
 
+    def late(self, clock):
+        """Tell whether time is up, or there is too little of it for another evaluation."""
+        return clock.out() or clock.seconds < self.lasted
+
     def near_network(self):
         """Return the present Network with only the arcs between targets that are close to each other."""
         if self._near is None or self._near[0] is not self.network:
@@ -182,7 +186,7 @@ class ColumnGeneration:
         Arcs that no solution below the limit uses are dropped on the way. on_bound: told each bound.
         """
         self._converge(limit, clock, on_bound, most_entries)
-        if most_entries is not None and not clock.out() and clock.seconds >= self.lasted:
+        if most_entries is not None and not self.late(clock):
             self.best = self.evaluate(self.pi, self.cuts)
             on_bound(self.best.bound)
             self._drop(limit)
@@ -204,7 +208,7 @@ class ColumnGeneration:
                 self.best, idle = evaluation, 0
             elif value < self.best.value - 2.0 * predicted:
                 box *= 0.6
-            if self.best.value >= limit or idle > p.idle_steps or clock.out() or clock.seconds < self.lasted:
+            if self.best.value >= limit or idle > p.idle_steps or self.late(clock):
                 break
             routes, endless = evaluation.columns(p.columns, p.columns_each, 3 * self.n)
             pieces = evaluation.pieces

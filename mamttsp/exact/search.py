@@ -43,8 +43,8 @@ class Search:
 
     def over(self):
         """Whether the run has to end: less time than another evaluation takes is as good as none."""
-        lasted = max((node.generation.lasted for node in self.nodes), default=0.0)
-        return self.standing.closed() or self.clock.out() or self.clock.seconds < lasted
+        late = any(node.generation.late(self.clock) for node in self.nodes)
+        return self.standing.closed() or self.clock.out() or late
 
     def run(self):
         """Run until the gap is closed, infeasibility is proved, time is up, or nothing is left that could help."""
