@@ -20,7 +20,8 @@ class Node:
     """Solutions over the network of `generation`, of no more routes than its fleet has.
 
     search: the run, with what it knows of tours; bound: lower bound on the solutions of the node that are below the
-    limit; exhausted: nothing can raise that any more; width: length of the pieces in s.
+    limit; priced: the part of it that prices prove; exhausted: nothing can raise that any more; width: length of the
+    pieces in s.
     """
 
     def __init__(self, search, generation, width):
@@ -29,6 +30,7 @@ class Node:
         self.incumbent, self.bound, self.exhausted, self.enumerated = search.incumbent, 0.0, False, False
         self.most_pieces, self.means, self.first, self.enumerated_at = search.parameters.most_pieces, 0, True, np.inf
         self.finer_from, self.splits, self.few_sequences = -np.inf, False, search.parameters.few_sequences
+        self.priced = 0.0
 
     @property
     def limit(self):
@@ -43,6 +45,10 @@ class Node:
         self.bound = max(self.bound, min(bound, self.limit))
         self.search.raise_bound()
 
+    def raise_priced(self, bound):
+        self.priced = max(self.priced, min(bound, self.limit))
+        self.raise_bound(bound)
+
     def over(self):
         return self.search.over() or self.exhausted or self.bound >= self.limit
 
@@ -53,7 +59,7 @@ class Node:
     def round(self):
         """Raise the bound over the present pieces, drop what is beyond the limit, and try to enumerate the rest; return
         the nodes to go on with."""
-        p, before, routes = self.parameters, self.bound, None
+        p, before, routes = self.parameters, self.priced, None
         self.generation.offer_incumbent(self.incumbent)
         few_entries = p.few_entries if self.finer_from == -np.inf else ()  # prices are good once pieces were refined
         for most_entries in (*few_entries, None):
@@ -73,8 +79,8 @@ class Node:
         return [self]
 
     def worthwhile(self, before):
-        """Tell whether much of the gap was closed since the bound was `before`."""
-        return self.bound - before >= self.parameters.worthwhile * (self.limit - before)
+        """Tell whether prices closed much of the gap since they proved `before`."""
+        return self.priced - before >= self.parameters.worthwhile * (self.limit - before)
 
     def split(self):
         """Return parts that hold all solutions of the node; none if the prices do not tell on what to split."""
@@ -94,7 +100,7 @@ class Node:
     def stage(self, most_entries):
         """Move the prices with so many entries of each piece, and eliminate; return all routes if they are few."""
         generation = self.generation
-        generation.run(most_entries, self.limit, self.clock, self.raise_bound)
+        generation.run(most_entries, self.limit, self.clock, self.raise_priced)
         self.search.report("prices")
         if self.over():
             return None
@@ -143,18 +149,44 @@ class Node:
     def enumerate(self):
         """Enumerate all routes of solutions within the limit; return them, or None if there is no room for all labels,
         or there was none and the gap has hardly shrunk since."""
-        p, limit, alone = self.parameters, self.limit, self.m == 1
-        if self.clock.out() or limit - self.bound > p.narrower * self.enumerated_at:
+        p, alone = self.parameters, self.m == 1
+        if self.clock.out() or self.limit - self.priced > p.narrower * self.enumerated_at:
             return None
-        self.enumerated_at = limit - self.bound
+        self.enumerated_at = self.limit - self.priced
         evaluations = self.generation.evaluations(p.prices if alone else 0, self.clock)
-        self.raise_bound(evaluations[0].bound)
-        budget = (p.enumeration_alone if alone else p.enumeration) * self.generation.work
+        self.raise_priced(evaluations[0].bound)
+        if (found := self.competing(evaluations, self.limit)) is None:
+            self.search.report("labels")
+            self.look_lower(evaluations)
+            return None
+        routes, sets = found
+        # Far from the limit, shorter pieces raise all bounds at once; but that is tried only once.
+        ready = alone or self.enumerated or self.near()
+        self.enumerated = True
+        if not self.over() and ready and 0 < len(sets.cost) <= p.few_sets:
+            self.settle(sets, routes)
+        return routes
+
+    def look_lower(self, evaluations):
+        """Enumerate all routes of solutions in a lower part of the gap, the greatest one for which there is room: they
+        raise the bound as far, or lead to tours."""
+        gap, priced = self.limit - self.priced, self.priced
+        for part in self.parameters.parts:
+            if self.over() or part * gap < priced - self.finer_from:  # shorter pieces will raise it further
+                return
+            if self.competing(evaluations, priced + part * gap, self.parameters.parts_work):
+                return
+
+    def competing(self, evaluations, limit, work=1.0):
+        """Enumerate all routes of solutions within `limit`, raise the bound by the choice among them, and look for
+        tours; return (Enumeration, Sets) of what competes, or None without room or time; work: share of what an
+        enumeration may take."""
+        p, alone = self.parameters, self.m == 1
+        budget = work * (p.enumeration_alone if alone else p.enumeration) * self.generation.work
         longest = max(map(len, self.incumbent.routes), default=self.n)
         routes = Enumeration(evaluations, limit, alone, longest, p.most_labels, budget, self.clock)
         self.search.labels += routes.size
         if not routes.complete:
-            self.search.report("labels")
             return None
         self.search.columns += len(routes.cost)
         sets = Sets(routes.visited, routes.agents, routes.cost, self.n)
@@ -169,12 +201,7 @@ class Node:
         self.time_routes(routes, np.flatnonzero(alive))
         routes.lead(alive)
         sets.keep(relaxed.slack >= 0.0)
-        # Far from the limit, shorter pieces raise all bounds at once; but that is tried only once.
-        ready = alone or self.enumerated or self.near()
-        self.enumerated = True
-        if not self.over() and ready and 0 < len(sets.cost) <= self.parameters.few_sets:
-            self.settle(sets, routes)
-        return routes
+        return routes, sets
 
     def time_routes(self, routes, columns):
         """Time the columns of least reduced cost, and choose among all routes known."""
@@ -241,7 +268,7 @@ class Node:
             return False
         network = refined(network, graph, width, self.incumbent.visit_times(), range(self.n))
         self.generation.moved(network)
-        self.width, self.means, self.first, self.enumerated_at, self.finer_from = width, 0, True, np.inf, self.bound
+        self.width, self.means, self.first, self.enumerated_at, self.finer_from = width, 0, True, np.inf, self.priced
         return True
 
     def shortest(self, network):

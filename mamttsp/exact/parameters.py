@@ -40,10 +40,8 @@ class Parameters:
     annealing_most: float = 0.25
     annealing_step: int = 25
     annealing_longest: int = 500
-    #: while the gap is wide as many iterations in all, times targets and agents, for each entry that prices extend, and
-    #: how many looks there must be at once, for each target
-    annealing_share: float = 0.015
-    annealing_later: float = 0.25
+    #: while the gap is wide as many iterations in all, times targets and agents, for each entry that prices extend
+    annealing_share: float = 0.02
     #: its time grid: points for each target; by how many steps a flight may come late on it, and what is charged for
     #: the distance that it is short by, in turn: without a charge routes look shorter than they are
     grid: int = 24
@@ -82,6 +80,9 @@ class Parameters:
     prices_share: float = 1.0
     apart: float = 0.15
     drawn: float = 0.4
+    #: where that does not fit, parts of the gap that are tried in turn, and the share of this work for each of them
+    parts: tuple = (0.5, 0.25, 0.125)
+    parts_work: float = 0.25
     #: an enumeration is tried again over the same pieces once the gap has shrunk to this share
     narrower: float = 0.8
     #: a means of raising the bound is used again if it closed this share of the gap

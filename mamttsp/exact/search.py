@@ -95,11 +95,11 @@ class Search:
         return pi
 
     def search_more_tours(self, work):
-        """Look for tours again, if that is cheap beside the entries that prices have extended so far."""
-        p = self.parameters
-        looks = (p.annealing_share * work / (self.n + self.m) - self.iterations) / self.iterations_each
-        if looks >= self.n * p.annealing_later:
-            self.search_tours(looks)
+        """Look for tours again, for at least as long as so far, if that is cheap beside the entries that prices have
+        extended: cooling slowly once finds shorter tours than cooling fast time and again."""
+        iterations = self.parameters.annealing_share * work / (self.n + self.m) - self.iterations
+        if iterations >= self.iterations:
+            self.search_tours(iterations / self.iterations_each)
 
     @property
     def iterations_each(self):

@@ -8,6 +8,7 @@ NONE_FITS = dict.fromkeys(("enumeration", "enumeration_alone"), 0.01)
 FORCED = {
     "no enumeration fits at first": {**NONE_FITS, "piece": 9.0, "pieces_each": 4},
     "every enumeration is tried": {"narrower": 1.0, "piece": 9.0, "pieces_each": 4},
+    "only parts of the gap are enumerated": {**NONE_FITS, "parts_work": 1e6, "piece": 9.0, "pieces_each": 2},
     "labels at one agent's present prices alone": {"prices": 0},
     "labels at whatever prices were tried": {"prices": 200, "apart": 0.0},
     "labels at prices drawn far and wide": {"prices": 20, "apart": np.inf, "drawn": 5.0},
