@@ -78,7 +78,7 @@ class ColumnGeneration:
 
     def moved(self, network):
         """Go on over another network; lengths of columns over the old one are forgotten."""
-        self.network, self.best, self.dropped_at = network, None, np.inf
+        self.network, self.best, self.dropped_at, self._near = network, None, np.inf, None
         self.columns, self.tried = Columns([], [], [], []), []
         self._fresh_master()
 
@@ -156,7 +156,10 @@ class ColumnGeneration:
         return clock.out() or clock.seconds < self.lasted
 
     def near_network(self):
-        """Return the present Network with only the arcs between targets that are close to each other."""
+        """Return the present Network with only the arcs between targets that are close to each other, or itself where
+        two would take too much memory."""
+        if len(self.network.arcs.head) > self.parameters.most_arcs // 4:
+            return self.network
         if self._near is None or self._near[0] is not self.network:
             pieces, arcs, starts, ends, *_ = self.network
             close = ngsets.nearest(pieces, arcs, self.n, self.parameters.few_targets)

@@ -102,7 +102,7 @@ class Parameters:
     finer_after_routes: float = 3.0
     #: pieces of a network, at first: the number of arcs grows with the square; and arcs, which take 100 bytes each
     most_pieces: int = 4000
-    most_arcs: int = 20_000_000
+    most_arcs: int = 15_000_000
     #: arcs of a network that are made and evaluated per second, an underestimate, to stop in time
     arcs_rate: float = 2e5
     #: pieces of more than this share of the present length are hardly shorter

@@ -2,6 +2,7 @@
 
 import dataclasses
 import functools
+import itertools
 
 import pytest
 
@@ -84,6 +85,8 @@ def test_the_paths_are_those_that_are_meant():
     usual = _phases(problem, Parameters())
     assert "settle" in usual and "labels" not in usual
     assert "labels" in _phases(problem, Parameters(**FORCED["no enumeration fits at first"]))
+    lower = _phases(passing(0.0), Parameters(**FORCED["only parts of the gap are enumerated"]))
+    assert ("labels", "routes") in itertools.pairwise(lower)
     shorter = _phases(problem, Parameters(**FORCED["split as soon as shorter pieces were tried"]))
     assert shorter.count("elimination") > usual.count("elimination")
     assert "settle" not in _phases(problem, Parameters(few_sets=0))
