@@ -41,6 +41,11 @@ class Node:
         """How many routes there are at most."""
         return self.generation.fleet.n_agents
 
+    @property
+    def alone(self):
+        """Whether one route serves all targets."""
+        return self.m == 1
+
     def raise_bound(self, bound):
         self.bound = max(self.bound, min(bound, self.limit))
         self.search.raise_bound()
@@ -105,7 +110,7 @@ class Node:
         if self.over():
             return None
         if most_entries is not None:
-            return self.enumerate() if self.first and self.m == 1 else None
+            return self.enumerate() if self.first and self.alone else None
         self.time_columns()
         network = generation.best.eliminated(self.limit, generation.tolerance)
         generation.narrowed(network)
@@ -114,7 +119,7 @@ class Node:
 
     def time_columns(self):
         """Time the elementary columns of least reduced cost, and choose among all routes known."""
-        least = self.n if self.m == 1 else 1
+        least = self.n if self.alone else 1
         for segments in self.generation.elementary(least, self.parameters.timed * self.n):
             if self.clock.out():
                 return
@@ -127,7 +132,7 @@ class Node:
         if not (worthwhile or self.first):  # the first round over new pieces says nothing of either
             self.means += 1
         self.first = False
-        if self.means == 0 and self.generation.grow(self.generation.cyclic(self.m == 1)):
+        if self.means == 0 and self.generation.grow(self.generation.cyclic(self.alone)):
             return True
         if self.means <= 1 and self.m > 1 and self.add_cuts():
             self.means = 1
@@ -149,7 +154,7 @@ class Node:
     def enumerate(self):
         """Enumerate all routes of solutions within the limit; return them, or None if there is no room for all labels,
         or there was none and the gap has hardly shrunk since."""
-        p, alone = self.parameters, self.m == 1
+        p, alone = self.parameters, self.alone
         if self.clock.out() or self.limit - self.priced > p.narrower * self.enumerated_at:
             return None
         self.enumerated_at = self.limit - self.priced
@@ -181,7 +186,7 @@ class Node:
         """Enumerate all routes of solutions within `limit`, raise the bound by the choice among them, and look for
         tours; return (Enumeration, Sets) of what competes, or None without room or time; work: share of what an
         enumeration may take."""
-        p, alone = self.parameters, self.m == 1
+        p, alone = self.parameters, self.alone
         budget = work * (p.enumeration_alone if alone else p.enumeration) * self.generation.work
         longest = max(map(len, self.incumbent.routes), default=self.n)
         routes = Enumeration(evaluations, limit, alone, longest, p.most_labels, budget, self.clock)
@@ -210,7 +215,7 @@ class Node:
             if self.clock.out():
                 return
             route = routes.segments(column)
-            if self.incumbent.timed(route) and self.m == 1:
+            if self.incumbent.timed(route) and self.alone:
                 self.incumbent.offer([route])
         self.search.recombine()
 
@@ -228,7 +233,7 @@ class Node:
                     return None
                 if (timed := self.incumbent.timed(route)) is None:
                     continue
-                if self.m == 1:
+                if self.alone:
                     self.incumbent.offer([route])
                 if timed[2] < best:
                     best, shortest[columns[0]] = timed[2], route
