@@ -32,13 +32,14 @@ class Enumeration:
     def _grow(self, evaluations, limit, longest, most, budget, clock):
         """Extend all labels of one number of visits after the other.
 
-        Most labels are half way along the longest routes: if more of the budget is gone before than their share of the
-        visits, it will not last.
+        Most labels are half way along the longest routes, few at their ends: if more of the budget is gone than the
+        share of the work that is done by then in most enumerations, it will not last.
         """
         completions, arcs, spent = completions_of(evaluations, limit), evaluations[0].arcs, 0
         self.layers.append(lab.first_labels(evaluations, limit))
         while len(self.layers) < self.n and len(self.layers[-1].left):
-            due = budget * min(len(self.layers) / longest, 1.0)
+            share = min(len(self.layers) / longest, 1.0)
+            due = budget * share**2 * (3.0 - 2.0 * share)
             spent += int(np.diff(arcs.start)[self.layers[-1].piece].sum())
             room, self.complete = max(float(most - self.size), 0.0), spent <= due
             if self.complete:

@@ -43,15 +43,18 @@ class Parameters:
     #: while the gap is wide as many iterations in all, times targets and agents, for each entry that prices extend
     annealing_share: float = 0.02
     #: its time grid: points for each target; by how many steps a flight may come late on it, and what is charged for
-    #: the distance that it is short by, in turn: without a charge routes look shorter than they are
+    #: the distance that it is short by, in turn: where charges are low routes look shorter than they are, where they
+    #: are high some look longer
     grid: int = 24
     grid_slack: float = 0.7
-    grid_charges: tuple = (0.5, 0.0, 2.0, 8.0)
+    grid_charges: tuple = (0.5, 0.0, 2.0, 8.0, 32.0)
     #: targets that a ruin takes out on average, and at most as a string from one route; how often it takes the targets
-    #: closest to one instead, wherever they are; how often a place is overlooked on the way back
+    #: closest to one instead, wherever they are; how often they come back in random order, not first the far ones or
+    #: those of large demand, short, early or late windows; how often a place is overlooked on the way back
     removed: float = 16.0
     string: float = 30.0
     radial: float = 0.5
+    shuffled: float = 0.5
     blink: float = 0.01
     #: heat of its annealing at first, as a share of the length; cost of a target left out, in sizes of the area
     heat: float = 0.02
@@ -69,10 +72,10 @@ class Parameters:
     #: seconds for a choice among known routes
     choice_seconds: float = 0.5
     #: label extensions of an enumeration, for each extension of an entry that prices have taken, with several agents
-    #: and with one, for whom little else closes a gap; labels, at most
+    #: and with one, for whom little else closes a gap; labels, at most, of which two arcs take the place of one
     enumeration: float = 0.8
     enumeration_alone: float = 15.0
-    most_labels: int = 8_000_000
+    most_labels: int = 16_000_000
     #: for one agent, other multipliers at which a label must be possible to complete: those tried that are so far from
     #: each other, as a share of the present ones, the rest drawn around these, with that share for standard deviation;
     #: and the share of the work so far that they may take

@@ -15,8 +15,9 @@ from .reach import fits, segments_of
 #: Routes (m, n), their lengths (m,) and costs (m,), and the Values along them
 Plan = namedtuple("Plan", "routes length cost values")
 #: What a ruin takes out, see `parameters.Parameters`: `removed` targets on average, of one route no more than `string`;
-#: `radial`: how often they are the closest ones; blink: how often a place is overlooked; heat: of annealing at first
-Ruins = namedtuple("Ruins", "removed string radial blink heat")
+#: `radial`: how often they are the closest ones; `shuffled`: how often they come back in random order, and `ranks`
+#: (R, n) by which they do else; blink: how often a place is overlooked; heat: of annealing at first
+Ruins = namedtuple("Ruins", "removed string radial shuffled ranks blink heat")
 
 
 class Annealing:
@@ -25,7 +26,9 @@ class Annealing:
     def __init__(self, graph, targets, fleet, parameters, seed=0):
         p = parameters
         self.m, self.n, self.seed, self.penalty = fleet.n_agents, len(targets), seed, p.left_out * (graph.size or 1.0)
-        self.ruins = Ruins(p.removed, p.string, p.radial, p.blink, p.heat)
+        self.ruins = Ruins(
+            p.removed, p.string, p.radial, p.shuffled, _ranks(graph, targets), p.blink, p.heat
+        )  # fmt: skip
         points = grid_points(graph, targets, p.grid)
         self.networks = make_networks(graph, targets, points, p.grid_slack, p.grid_charges)
         self.order = _closeness(self.networks[0].near[:, :-1, :-1])
@@ -139,6 +142,20 @@ def _insert_all(bank, routes, length, cost, network, values, layer, demand, room
     return bank[:left].copy()
 
 
+def _ranks(graph, targets):
+    """Return (5, n) ranks: least of targets far from the depot, of large demand, short windows, early ones, late ones.
+
+    Far first and large first are orders of Christiaens and Vanden Berghe as well.
+    """
+    ranks = []
+    for u in targets:
+        own = segments_of(graph, u)
+        far = np.linalg.norm(graph.p_lo[own] - graph.p_lo[graph.starts[0]], axis=1).min()
+        opens, closes = graph.t_lo[own], graph.t_hi[own]
+        ranks.append((-far, -graph.demands[u], (closes - opens).sum(), opens.min(), -closes.max()))
+    return np.array(ranks).T.copy()
+
+
 def _closeness(near):
     """Return (n, n): each target and behind it the others, closest first; near: (K, n, n) shortest flights' lengths."""
     close = np.minimum(near, near.transpose(0, 2, 1)).min(axis=0)
@@ -149,7 +166,7 @@ def _closeness(near):
 @compiled
 def _remove(seed, order, routes, length, absent, ruins):
     """Take strings of neighbouring stops out of routes that come close to the seed target, or the targets closest to
-    it; return them, together with `absent`, shuffled."""
+    it; return them, together with `absent`, in the order in which they are to come back."""
     m, n = routes.shape
     out = np.zeros(n, np.bool_)
     for w in absent:
@@ -167,6 +184,8 @@ def _remove(seed, order, routes, length, absent, ruins):
         length[k] = left
     bank = np.flatnonzero(out)
     np.random.shuffle(bank)
+    if np.random.random() >= ruins.shuffled:
+        bank = bank[np.argsort(ruins.ranks[np.random.randint(len(ruins.ranks))][bank])]
     return bank
 
 

@@ -54,12 +54,16 @@ def test_the_same_seed_takes_the_same_way():
     assert one == two and one != other
 
 
+def _ruins(radial, shuffled, ranks):
+    return annealing.Ruins(3.0, 4.0, radial, shuffled, ranks, 0.01, 0.02)
+
+
 @pytest.mark.parametrize("radial", [0.0, 1.0])
 @pytest.mark.parametrize("seed", range(5))
 def test_what_a_ruin_takes_out_is_what_is_missing_afterwards(seed, radial):
     rng, n, m = np.random.default_rng(seed), 12, 3
     order = np.argsort(rng.random((n, n)) - 2.0 * np.eye(n), axis=1)  # each target first in its row
-    ruins = annealing.Ruins(3.0, 4.0, radial, 0.01, 0.02)
+    ruins = _ruins(radial, 0.5, rng.random((2, n)))
     taken_out = 0
     for draw in range(20):
         dealt = rng.permutation(n)
@@ -84,3 +88,30 @@ def test_what_a_ruin_takes_out_is_what_is_missing_afterwards(seed, radial):
                 gone = [k for k, u in enumerate(route) if u not in now]
                 assert not gone or gone[-1] - gone[0] + 1 == len(gone) <= 4
     assert taken_out > 20
+
+
+def test_what_a_ruin_takes_out_comes_back_by_one_of_the_ranks_or_in_random_order():
+    rng, n = np.random.default_rng(0), 12
+    order, ranks = np.argsort(rng.random((n, n)) - 2.0 * np.eye(n), axis=1), rng.random((2, n))
+
+    def used(shuffled):
+        """Return by which ranks (-1 for none) all targets, which are absent, come back in 60 draws."""
+        found = []
+        for _ in range(60):
+            none = np.zeros((1, n), np.int64), np.zeros(1, np.int64)
+            bank = annealing._remove(0, order, *none, np.arange(n), _ruins(1.0, shuffled, ranks))
+            found += [k for k in range(2) if (bank == np.argsort(ranks[k])).all()] or [-1]
+        return set(found)
+
+    assert used(0.0) == {0, 1} and used(1.0) == {-1} and used(0.5) == {-1, 0, 1}
+
+
+def test_ranks_put_far_heavy_short_early_and_late_targets_first():
+    graph = unlike(0)
+    far, heavy, short, early, late = annealing._ranks(graph, range(graph.n_targets))
+    for u in range(graph.n_targets):
+        own = [i for i in graph.C(u) if graph.layer[i] == 0]
+        assert far[u] == pytest.approx(-min(np.hypot(*(graph.p_lo[i] - graph.p_lo[graph.starts[0]])) for i in own))
+        assert heavy[u] == -graph.demands[u]
+        assert short[u] == pytest.approx(sum(graph.t_hi[i] - graph.t_lo[i] for i in own))
+        assert early[u] == min(graph.t_lo[i] for i in own) and late[u] == -max(graph.t_hi[i] for i in own)
