@@ -189,7 +189,7 @@ class Node:
         p, alone = self.parameters, self.alone
         budget = work * (p.enumeration_alone if alone else p.enumeration) * self.generation.work
         longest = max(map(len, self.incumbent.routes), default=self.n)
-        most = p.most_labels - len(evaluations[0].arcs.head) // 2
+        most = p.most_labels - self.search.arcs // 2
         routes = Enumeration(evaluations, limit, alone, longest, most, budget, self.clock)
         self.search.labels += routes.size
         if not routes.complete:

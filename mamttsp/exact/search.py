@@ -37,6 +37,11 @@ class Search:
     def limit(self):
         return self.standing.limit
 
+    @property
+    def arcs(self):
+        """How many arcs the open nodes have."""
+        return sum(len(node.generation.network.arcs.head) for node in self.nodes)
+
     def report(self, phase):
         if self.progress:
             self.progress(Progress(self.clock.spent, *self.standing.figures(), self.labels, phase, self.columns))
@@ -60,8 +65,7 @@ class Search:
 
     def chosen(self, nodes):
         """Return the node of the least bound; the latest, which are few, where nodes take up too much memory."""
-        arcs = sum(len(node.generation.network.arcs.head) for node in self.nodes)
-        return nodes[-1] if arcs > self.parameters.most_arcs else min(nodes, key=lambda node: node.bound)
+        return nodes[-1] if self.arcs > self.parameters.most_arcs else min(nodes, key=lambda node: node.bound)
 
     def root(self):
         """Return the Node of all solutions."""

@@ -9,6 +9,7 @@ from pathlib import Path
 import nbformat
 
 from mamttsp.study.course import notebooks
+from mamttsp.warm_up import PARTS, ensure_compiled
 
 ROOT = Path(__file__).parents[2]
 NOTEBOOKS = notebooks(ROOT / "notebooks")
@@ -50,6 +51,8 @@ def execute_whole(notebook):
 
 
 def _pytest(notebook, *options):
+    for part in PARTS:  # or a line that says so would be among what cells print
+        ensure_compiled(part)
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options, str(notebook)]
     alone = {name: value for name, value in os.environ.items() if not name.startswith("PYTEST_")}
     folder, limit = notebook.parent, LIMITS["notebook"]
