@@ -173,13 +173,14 @@ class Node:
         return routes
 
     def look_lower(self, evaluations):
-        """Enumerate all routes of solutions in a lower part of the gap, the greatest one for which there is room: they
-        raise the bound as far, or lead to tours."""
-        gap, priced = self.limit - self.priced, self.priced
+        """Enumerate all routes of solutions in a lower part of what lies between the bound and the limit, the greatest
+        one for which there is room: they raise the bound as far, or lead to tours."""
+        bound, gap = self.bound, self.limit - self.bound
         for part in self.parameters.parts:
-            if self.over() or part * gap < priced - self.finer_from:  # shorter pieces will raise it further
+            limit = bound + part * gap
+            if self.over() or limit - self.priced < self.priced - self.finer_from:  # shorter pieces will raise it further
                 return
-            if self.competing(evaluations, priced + part * gap, self.parameters.parts_work):
+            if self.competing(evaluations, limit, self.parameters.parts_work):
                 return
 
     def competing(self, evaluations, limit, work=1.0):
@@ -189,7 +190,7 @@ class Node:
         p, alone = self.parameters, self.alone
         budget = work * (p.enumeration_alone if alone else p.enumeration) * self.generation.work
         longest = max(map(len, self.incumbent.routes), default=self.n)
-        most = p.most_labels - self.search.arcs // 2
+        most = p.most_labels_alone - self.search.arcs // 2 if alone else p.most_labels
         routes = Enumeration(evaluations, limit, alone, longest, most, budget, self.clock)
         self.search.labels += routes.size
         if not routes.complete:

@@ -72,10 +72,12 @@ class Parameters:
     #: seconds for a choice among known routes
     choice_seconds: float = 0.5
     #: label extensions of an enumeration, for each extension of an entry that prices have taken, with several agents
-    #: and with one, for whom little else closes a gap; labels, at most, of which two arcs take the place of one
+    #: and with one, for whom little else closes a gap; labels, at most, with several and with one, for whom fewer
+    #: links lead to each: then two arcs take the place of a label
     enumeration: float = 0.8
     enumeration_alone: float = 15.0
-    most_labels: int = 16_000_000
+    most_labels: int = 8_000_000
+    most_labels_alone: int = 16_000_000
     #: for one agent, other multipliers at which a label must be possible to complete: those tried that are so far from
     #: each other, as a share of the present ones, the rest drawn around these, with that share for standard deviation;
     #: and the share of the work so far that they may take
