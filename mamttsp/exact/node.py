@@ -175,10 +175,10 @@ class Node:
     def look_lower(self, evaluations):
         """Enumerate all routes of solutions in a lower part of what lies between the bound and the limit, the greatest
         one for which there is room: they raise the bound as far, or lead to tours."""
-        bound, gap = self.bound, self.limit - self.bound
+        bound, gap, finer_gain = self.bound, self.limit - self.bound, self.priced - self.finer_from
         for part in self.parameters.parts:
             limit = bound + part * gap
-            if self.over() or limit - self.priced < self.priced - self.finer_from:  # shorter pieces will raise it further
+            if self.over() or limit - self.priced < finer_gain:  # shorter pieces will raise it further
                 return
             if self.competing(evaluations, limit, self.parameters.parts_work):
                 return
