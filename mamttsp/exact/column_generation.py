@@ -4,6 +4,7 @@ The master is stabilised by a box around the best prices so far (boxstep): targe
 the box or given back at the lower one.
 """
 
+import contextlib
 import copy
 import dataclasses
 import time
@@ -12,7 +13,8 @@ import numpy as np
 
 from . import ngsets
 from .cuts import Cuts
-from .evaluation import evaluate, restricted
+from .evaluation import Limits, evaluate, restricted
+from .ngroutes import Unfinished
 from .restricted_master import RestrictedMaster
 
 
@@ -34,7 +36,7 @@ class ColumnGeneration:
     """Column generation over one network after another; what it knows of routes and prices is taken along.
 
     best: the Evaluation of the greatest bound over the present network, ng-sets and cuts, None before the first;
-    support: (route, level, layer) of the master's columns in use; decisions: see `splitting`; work: entries extended
+    support: (route, level, layer) of the master's columns in use; rolled_back: see `roll_back`; decisions: see `splitting`; work: entries extended
     along arcs so far; lasted: seconds of the latest evaluation of all entries, at first about what it will take: none
     begins that would end too late.
     """
@@ -44,6 +46,7 @@ class ColumnGeneration:
         self.pi, self.cuts, self.best, self.support = pi, Cuts.none(n_targets), None, []
         self.box, self.dropped_at, self.work, self.decisions, self._near = np.inf, np.inf, 0, (), None
         self.N = ngsets.nearest(network.pieces, network.arcs, n_targets, parameters.ng_size)
+        self.rolled_back = False
         self.columns, self.tried = Columns([], [], [], []), []
         self.lasted = len(network.arcs.head) / parameters.arcs_rate
         self._fresh_master()
@@ -129,6 +132,8 @@ class ColumnGeneration:
 
     def grow(self, routes):
         """Let the ng-sets grow from the cycles in these routes; return whether they did."""
+        if self.rolled_back:
+            return False
         longest = min((_shortest_cycle(route) for route in routes), default=self.n)
         N = ngsets.grown(routes, self.N, max(longest, self.parameters.longest_cycle))
         if (N == self.N).all():
@@ -138,16 +143,32 @@ class ColumnGeneration:
         self._fresh_master()
         return True
 
+    def roll_back(self):
+        """Forget the cuts, and remember half as many targets as the largest ng-set does; return False if that is none.
+
+        It is for good: ng-sets do not grow any more, and no cuts are added.
+        """
+        size = min(int(self.N.sum(axis=1).max()) // 2, self.parameters.ng_size)
+        if size == 0:
+            return False
+        network, self.rolled_back = self.network, True
+        self.N = ngsets.nearest(network.pieces, network.arcs, self.n, size)
+        self.cuts, self.best, self.support = Cuts.none(self.n), None, []
+        self._fresh_master()
+        return True
+
     def add_cuts(self, rows, memory):
         self.cuts, self.best = self.cuts.with_more(rows, memory), None
         self._fresh_master()
 
-    def evaluate(self, pi, cuts, most_entries=None):
-        """Return an Evaluation; of few entries it is of few arcs as well, and proves nothing."""
-        network, before = self.network if most_entries is None else self.near_network(), time.monotonic()
-        found = evaluate(network, self.N, pi, cuts, self.fleet, self.tolerance, most_entries)
+    def evaluate(self, pi, cuts, few_entries=None, out=lambda: False):
+        """Return an Evaluation; of few entries it is of few arcs as well, and proves nothing. Unfinished is raised once
+        out() tells that time is up, or entries are too many."""
+        network, before = self.network if few_entries is None else self.near_network(), time.monotonic()
+        limits = Limits(self.parameters.most_entries, out)
+        found = evaluate(network, self.N, pi, cuts, self.fleet, self.tolerance, few_entries, limits)
         self.work += int(found.lists.count[network.arcs.head].sum())
-        if most_entries is None:
+        if few_entries is None:
             self.lasted = time.monotonic() - before
         return found
 
@@ -173,35 +194,40 @@ class ColumnGeneration:
         the work so far: those tried of the greatest L, each far from those before it, then such as are drawn around the
         present ones; fewer once time is up."""
         p, before = self.parameters, self.work
-        first, chosen, size = self.evaluate(self.pi, self.cuts), [self.pi], np.abs(self.pi).mean()
+        first, chosen, size = self.evaluate(self.pi, self.cuts, None, clock.out), [self.pi], np.abs(self.pi).mean()
         most = min(most, int(p.prices_share * before / max(self.work - before, 1)))
         for _, pi in sorted(self.tried, key=lambda pair: -pair[0]):
             if len(chosen) <= most and min(np.abs(pi - other).mean() for other in chosen) >= p.apart * size:
                 chosen.append(pi)
         drawn = np.random.default_rng(0).standard_normal((most + 1 - len(chosen), self.n))
         others = *chosen[1:], *(self.pi + p.drawn * size * drawn)
-        return [first, *(self.evaluate(pi, self.cuts) for pi in others if not clock.out())]
+        found = [first]
+        with contextlib.suppress(Unfinished):
+            for pi in others:
+                found.append(self.evaluate(pi, self.cuts, None, clock.out))
+        return found
 
-    def run(self, most_entries, limit, clock, on_bound):
+    def run(self, few_entries, limit, clock, on_bound):
         """Move the prices by evaluations of so many entries a piece, None for all, until the master agrees with them,
         the bound reaches the limit, or time is up; best is then an evaluation of all entries, unless time is up.
 
-        Arcs that no solution below the limit uses are dropped on the way. on_bound: told each bound.
+        Arcs that no solution below the limit uses are dropped on the way. on_bound: told each bound. Raises Unfinished
+        as `evaluate` does.
         """
-        self._converge(limit, clock, on_bound, most_entries)
-        if most_entries is not None and not self.late(clock):
-            self.best = self.evaluate(self.pi, self.cuts)
+        self._converge(limit, clock, on_bound, few_entries)
+        if few_entries is not None and not self.late(clock):
+            self.best = self.evaluate(self.pi, self.cuts, None, clock.out)
             on_bound(self.best.bound)
             self._drop(limit)
 
-    def _converge(self, limit, clock, on_bound, most_entries):
+    def _converge(self, limit, clock, on_bound, few_entries):
         """Move the prices until the master agrees with what evaluations of so many entries a piece find."""
         p = self.parameters
         pi, cuts, self.best = self.pi, self.cuts, None
         widest = p.box * max(np.abs(pi).mean(), 1e-3 * self.unit)
         box, thinnest, predicted, idle = min(2.0 * self.box, widest), 1e-4 * widest, np.inf, 0
         for _ in range(p.most_steps):
-            evaluation = self._tried(pi, cuts, most_entries)
+            evaluation = self._tried(pi, cuts, few_entries, clock.out)
             value, idle = evaluation.value, idle + 1
             self.tried.append((value, pi))
             on_bound(evaluation.bound)
@@ -250,14 +276,14 @@ class ColumnGeneration:
             self.dropped_at = limit - self.best.bound
             self.narrowed(self.best.eliminated(limit, self.tolerance))
 
-    def _tried(self, pi, cuts, most_entries):
+    def _tried(self, pi, cuts, few_entries, out):
         """Return an Evaluation of so many entries; of fewer ones, if they tell already that it is no better."""
-        few_entries = self.parameters.few_entries
-        if most_entries is None and self.best is not None and few_entries:
-            few = self.evaluate(pi, cuts, few_entries[-1])
+        p = self.parameters
+        if few_entries is None and self.best is not None and p.few_entries:
+            few = self.evaluate(pi, cuts, p.few_entries[-1], out)
             if few.value <= self.best.value:
                 return few
-        return self.evaluate(pi, cuts, most_entries)
+        return self.evaluate(pi, cuts, few_entries, out)
 
     def _forget(self, level):
         """Keep the columns of the support and the latest ones."""

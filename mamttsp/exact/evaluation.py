@@ -6,6 +6,7 @@ every solution, whatever pi and whatever sigma <= 0. An Evaluation holds it with
 
 import dataclasses
 import functools
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -17,6 +18,14 @@ from .fleet import Fleet
 from .legs import least, share_before
 from .pieces import Arcs, Pieces, all_arcs, finer, finer_arcs, make_pieces, select
 from .sets import to_words
+
+
+class Limits(NamedTuple):
+    """Beyond these an evaluation raises `ngroutes.Unfinished`. most_entries: of the values to go from a piece; out():
+    tells whether time is up."""
+
+    most_entries: int = ngroutes.ALL_ENTRIES
+    out: Callable = lambda: False
 
 
 class Network(NamedTuple):
@@ -80,6 +89,7 @@ class Evaluation:
     cost: np.ndarray
     entry: np.ndarray
     complete: bool
+    limits: Limits
 
     @property
     def pieces(self):
@@ -151,7 +161,7 @@ class Evaluation:
     def eliminated(self, limit, tolerance):
         """Return the Network of what lies on a relaxed solution of value at most `limit`."""
         network, slack = self.network, self.slack(limit)
-        back = _values(network.back, self.prices, tolerance)
+        back = _values(network.back, self.prices, tolerance, None, self.limits)
         alive = arcs_alive(network.ahead, self.prices, self.lists, back, slack)
         back_cost, _ = ngroutes.cheapest_starts(network.back, self.prices, back)
         allowed = slack[self.pieces.layer]
@@ -160,21 +170,21 @@ class Evaluation:
         )
 
 
-def evaluate(network, N, pi, cuts, fleet, tolerance, most_entries=None):
+def evaluate(network, N, pi, cuts, fleet, tolerance, few_entries=None, limits=Limits()):
     """Return the Evaluation at multipliers pi; values that change by less than `tolerance` count as unchanged.
 
-    N: (n, n) bool, the ng-sets; most_entries: of a piece's list; with fewer than there are the Evaluation is not
-    complete.
+    N: (n, n) bool, the ng-sets; few_entries: that a piece may have, of which the Evaluation is not complete, None for
+    all; Unfinished is raised beyond the limits.
     """
     prices = ngroutes.Prices(pi, to_words(N), *cuts.words)
-    lists = _values(network.ahead, prices, tolerance, most_entries)
+    lists = _values(network.ahead, prices, tolerance, few_entries, limits)
     cost, entry = ngroutes.cheapest_starts(network.ahead, prices, lists)
     n = len(pi)
     return Evaluation(
-        network, pi, cuts, fleet, prices, lists, cost - n * tolerance, entry, most_entries is None
+        network, pi, cuts, fleet, prices, lists, cost - n * tolerance, entry, few_entries is None, limits
     )  # fmt: skip
 
 
-def _values(side, prices, tolerance, most_entries=None):
-    most = ngroutes.ALL_ENTRIES if most_entries is None else most_entries
-    return ngroutes.values_to_go(side, prices, tolerance, len(prices.pi), most)
+def _values(side, prices, tolerance, few_entries, limits):
+    few = ngroutes.ALL_ENTRIES if few_entries is None else few_entries
+    return ngroutes.values_to_go(side, prices, tolerance, len(prices.pi), few, *limits)

@@ -24,6 +24,12 @@ from .sets import add, grown, has, same, subset
 
 #: more entries than any list has
 ALL_ENTRIES = 1 << 40
+#: comparisons of entries between two looks at the clock
+_AT_ONCE = 1_000_000_000
+
+
+class Unfinished(Exception):
+    """Values to go take more entries than there may be, or more time."""
 
 
 class Side(NamedTuple):
@@ -233,46 +239,75 @@ def _room(size, W):
     return np.empty((size, W), np.uint64), np.empty(size, np.uint64), np.empty(size), np.empty(size), np.empty(size)
 
 
-@compiled
-def values_to_go(side, prices, tolerance, most_passes, most_entries):
-    """Return the Lists of values to go of each piece, its own multiplier not included.
+def values_to_go(side, prices, tolerance, most_passes, few, most, out):
+    """Return the Lists of values to go of each piece, its own multiplier not included; raise Unfinished if the list of
+    one needs room for more than `most` entries, or out() tells that time is up.
 
-    tolerance: a change of a value that counts as none; most_entries: of one piece: with fewer than there are the values
-    are those of some ng-routes, and bound nothing.
+    tolerance: a change of a value that counts as none; few: entries of a list that are kept, ALL_ENTRIES for all: with
+    fewer than there are the values are those of some ng-routes, and bound nothing.
     """
-    Q, W = len(side.a), prices.N.shape[1]
+    so_far = _begun(len(side.a), prices.N.shape[1], most)
+    while so_far.visits < most_passes * len(side.a) and so_far.dirty.any():
+        so_far, fits = _continued(side, prices, tolerance, few, most, so_far)
+        if not fits or out():
+            raise Unfinished
+    return so_far.lists
+
+
+class _SoFar(NamedTuple):
+    """Lists after so many visits to pieces, pass after pass in order of time; the first `used` entries are in use;
+    dirty: (Q,) pieces to whose lists more may come; work: room for one list."""
+
+    lists: Lists
+    used: int
+    visits: int
+    dirty: np.ndarray
+    work: tuple
+
+
+@compiled
+def _begun(Q, W, most):
     size = 4 * Q + 64
     lists = Lists(
         np.zeros(Q, np.int64), np.zeros(Q, np.int64), np.empty((size, W), np.uint64), np.empty(size, np.uint64),
         np.empty(size), np.empty(size), np.empty(size),
     )  # fmt: skip
-    used, passes = np.int64(0), 0
-    work = _room(np.int64(256), W)
-    dirty = np.ones(Q, np.bool_)
-    while passes < most_passes and dirty.any():
-        passes += 1
-        for q in side.order:
-            if not dirty[q]:
-                continue
+    return _SoFar(lists, np.int64(0), np.int64(0), np.ones(Q, np.bool_), _room(min(256, most), W))
+
+
+@compiled
+def _continued(side, prices, tolerance, few, most, so_far):
+    """Return (_SoFar, whether `most` entries were room enough) after some tenths of a second, or a pass."""
+    lists, used, visits, dirty, work = so_far
+    Q, W, effort = len(side.a), prices.N.shape[1], 0
+    first_time = visits < Q
+    while effort < _AT_ONCE:
+        q = side.order[visits % Q]
+        visits += 1
+        if dirty[q]:
             dirty[q] = False
-            known = _extended(q, side, prices, lists, work, passes == 1, most_entries)
+            known = _extended(q, side, prices, lists, work, first_time, few)
             while known < 0:
-                work = _room(4 * len(work[2]), W)
-                known = _extended(q, side, prices, lists, work, passes == 1, most_entries)
-            if _unchanged(work, known, lists, q, tolerance):
-                continue
-            if known > lists.count[q]:
-                if used + known > len(lists.left):
-                    lists = Lists(
-                        lists.first, lists.count,
-                        *grown(lists.memory, lists.parity, lists.load, lists.left, lists.right, used, known),
-                    )  # fmt: skip
-                lists.first[q] = used
-                used += known
-            _store(work, known, lists, q)
-            for k in range(side.back_start[q], side.back_start[q + 1]):
-                dirty[side.back[k]] = True
-    return lists
+                if len(work[2]) >= most:
+                    return _SoFar(lists, used, visits, dirty, work), False
+                work = _room(min(4 * len(work[2]), most), W)
+                known = _extended(q, side, prices, lists, work, first_time, few)
+            effort += known * known * (side.start[q + 1] - side.start[q])
+            if not _unchanged(work, known, lists, q, tolerance):
+                if known > lists.count[q]:
+                    if used + known > len(lists.left):
+                        lists = Lists(
+                            lists.first, lists.count,
+                            *grown(lists.memory, lists.parity, lists.load, lists.left, lists.right, used, known),
+                        )  # fmt: skip
+                    lists.first[q] = used
+                    used += known
+                _store(work, known, lists, q)
+                for k in range(side.back_start[q], side.back_start[q + 1]):
+                    dirty[side.back[k]] = True
+        if visits % Q == 0:
+            break
+    return _SoFar(lists, used, visits, dirty, work), True
 
 
 @compiled

@@ -12,6 +12,7 @@ from . import splitting
 from .cuts import MOST_CUTS, separate
 from .enumeration import Enumeration
 from .evaluation import refined, restricted
+from .ngroutes import Unfinished
 from .partition import relax_choice
 from .settle import Sets, settle
 
@@ -64,6 +65,14 @@ class Node:
     def round(self):
         """Raise the bound over the present pieces, drop what is beyond the limit, and try to enumerate the rest; return
         the nodes to go on with."""
+        try:
+            return self.raised()
+        except Unfinished:
+            self.exhausted = not (self.clock.out() or self.generation.roll_back())
+            return [self]
+
+    def raised(self):
+        """The round itself, unless its values to go take more entries or time than there may be: then Unfinished."""
         p, before, routes = self.parameters, self.priced, None
         self.generation.offer_incumbent(self.incumbent)
         few_entries = p.few_entries if self.finer_from == -np.inf else ()  # prices are good once pieces were refined
@@ -141,7 +150,7 @@ class Node:
 
     def add_cuts(self):
         generation = self.generation
-        room = MOST_CUTS - len(generation.cuts.rows)
+        room = 0 if generation.rolled_back else MOST_CUTS - len(generation.cuts.rows)
         if room <= 0 or not generation.support:
             return False
         routes, level, _ = zip(*generation.support)

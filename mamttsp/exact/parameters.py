@@ -27,6 +27,8 @@ class Parameters:
     #: between a target and only so many others, those cheapest to fly to or from
     few_entries: tuple = (3, 8)
     few_targets: int = 40
+    #: entries of a piece: before there are so many the ng-sets are rolled back
+    most_entries: int = 1000
     #: arcs are dropped during column generation whenever the gap has shrunk to this share since the last time
     dropped: float = 0.8
     #: length of the first pieces, as a share of the time there is for each target, and pieces of one, at least

@@ -42,6 +42,7 @@ FORCED = {
     "any cut that is violated": {"violation": 1e-6, "cuts": 2, **NONE_FITS, "piece": 9.0, "pieces_each": 4},
     "a choice without cuts, from one column on": {"choice_columns": 1, "choice_few": 0},
     "pieces get much shorter": {"finer": 8.0, "finer_after_routes": 8.0, "piece": 9.0, "pieces_each": 2},
+    "ng-sets are rolled back": {"most_entries": 12},
     "few pieces fit": {"most_pieces": 60, "piece": 9.0, "pieces_each": 3, **NONE_FITS},
 }
 #: paths on which nothing is timed to its end: where targets meet, there is a kink, and the gap closes to first order

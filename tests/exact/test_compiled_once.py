@@ -29,5 +29,5 @@ def _versions():
 def test_refined_rounds_and_several_agents_use_what_the_first_round_compiled():
     ensure_compiled()  # what compiled functions call among themselves is counted only while it is compiled
     versions = _versions()
-    assert versions["mamttsp.exact.ngroutes.values_to_go"] == 1
+    assert versions["mamttsp.exact.ngroutes._continued"] == 1
     assert [name for name, n in versions.items() if n > 1] == []

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from mamttsp.exact import ngroutes, ngsets
 from mamttsp.exact.cuts import Cuts
-from mamttsp.exact.evaluation import evaluate
+from mamttsp.exact.evaluation import Limits, evaluate
 from mamttsp.exact.fleet import Fleet
 from mamttsp.exact.legs import after_leg, before_leg, least, share_before, tangent
 from mamttsp.exact.sets import to_marks, to_words
@@ -92,7 +92,9 @@ def _entries(lists, q):
 
 
 def _values(side, prices):
-    return ngroutes.values_to_go(side, prices, 0.0, len(prices.pi), ngroutes.ALL_ENTRIES)
+    return ngroutes.values_to_go(
+        side, prices, 0.0, len(prices.pi), ngroutes.ALL_ENTRIES, ngroutes.ALL_ENTRIES, lambda: False
+    )
 
 
 @pytest.mark.parametrize("seed, width, kind", list(itertools.product(SEEDS, WIDTHS, KINDS)))
@@ -247,6 +249,20 @@ def test_values_of_few_entries_are_those_of_some_ng_routes(seed, kind):
         assert (few.cost >= whole.cost - _NOISE).all() and few.value >= whole.value - _NOISE
         routes, endless = few.columns(20, 5, 3 * n)
         assert not any(ngsets.forbidden(network.pieces.target[route], N) for route in [*routes, *endless])
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_values_that_take_too_many_entries_or_too_long_are_given_up(seed):
+    rng, graph = np.random.default_rng(seed), small(seed)
+    network, n = network_of(graph, 9.0), graph.n_targets
+    about = network, random_sets(rng, n), rng.uniform(0, 50, n), random_cuts(rng, n, 2), Fleet.of(graph), 0.0
+    whole = evaluate(*about)
+    assert evaluate(*about, None, Limits(10_000)).value == whole.value
+    with pytest.raises(ngroutes.Unfinished):
+        evaluate(*about, None, Limits(int(whole.lists.count.max()) - 1))
+    for few in (None, 3):
+        with pytest.raises(ngroutes.Unfinished):
+            evaluate(*about, few, Limits(out=lambda: True))
 
 
 @pytest.mark.parametrize("seed", range(8))
