@@ -15,7 +15,7 @@ class Enumeration:
     whole: whether each route serves all targets; longest: visits that long routes make. complete: False if it needed
     more than `most` labels or `budget` extensions, or more time than the clock has left; it then proves nothing.
     One column for each closed route: visited (J, W); agents (J,) its layer of the graph; cost (J,) lower bound on its
-    length; spare (J,) by how much its reduced cost could be greater, at least. depth, label: (J,) where it ends.
+    length. depth, label: (J,) where it ends.
     """
 
     def __init__(self, evaluations, limit, whole, longest, most, budget, clock):
@@ -62,20 +62,19 @@ class Enumeration:
             found.append(self._within(evaluations, limit, s, layer, hits, reduced[hits]))
         if not found:
             none = np.zeros(0, int)
-            found = [(none, none, self.layers[0].visited[:0], none, np.zeros(0), np.zeros(0))]
-        self.depth, self.label, self.visited, self.agents, self.cost, self.spare = map(np.concatenate, zip(*found))
+            found = [(none, none, self.layers[0].visited[:0], none, np.zeros(0))]
+        self.depth, self.label, self.visited, self.agents, self.cost = map(np.concatenate, zip(*found))
         self.members = membership(self.visited, self.n)
 
     def _within(self, evaluations, limit, depth, layer, labels, reduced):
-        """Return (depth, label, visited, agents, cost, spare) of the labels whose routes stay within the limit, by
-        their reduced costs at the first prices."""
+        """Return (depth, label, visited, agents, cost) of the labels whose routes stay within the limit, by their reduced
+        costs at the first prices."""
         visited, agents = layer.visited[labels], self.pieces.layer[layer.piece[labels]]
         members = membership(visited, self.n)
         paid = [members.T @ e.pi + e.cuts.price_of(members) for e in evaluations]
         cost = reduced + paid[0]
-        spare = np.min([e.slack(limit)[agents] + own - cost for e, own in zip(evaluations, paid)], axis=0)
-        kept = spare >= 0.0
-        return np.full(kept.sum(), depth), labels[kept], visited[kept], agents[kept], cost[kept], spare[kept]
+        kept = np.all([cost - own <= e.slack(limit)[agents] for e, own in zip(evaluations, paid)], axis=0)
+        return np.full(kept.sum(), depth), labels[kept], visited[kept], agents[kept], cost[kept]
 
     def route(self, column):
         """Return the pieces of a column's route, in the order of its visits."""
@@ -88,6 +87,10 @@ class Enumeration:
     def segments(self, column):
         """Return the segments of a column's route, a tuple of nodes of the graph in the order of its visits."""
         return tuple(int(i) for i in self.pieces.segment[self.route(column)])
+
+    def cheapest(self, columns, most):
+        """Return the segments of up to `most` of these columns, those of least cost."""
+        return [self.segments(column) for column in columns[np.argsort(self.cost[columns])[:most]]]
 
     def lead(self, alive):
         """Keep only the columns marked `alive` (J,), and the labels that lead to them, themselves or through what

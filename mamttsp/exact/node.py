@@ -213,17 +213,18 @@ class Node:
             return None
         self.raise_bound(min(relaxed.bound, limit))
         self.search.report("routes")
-        alive = relaxed.slack[sets.of_column] >= routes.cost - sets.cost[sets.of_column]
-        self.time_routes(routes, np.flatnonzero(alive))
-        routes.lead(alive)
+        room = relaxed.slack[sets.of_column] - (routes.cost - sets.cost[sets.of_column])
+        self.time_routes(routes, room)
+        routes.lead(room >= 0.0)
         sets.keep(relaxed.slack >= 0.0)
         return routes, sets
 
-    def time_routes(self, routes, columns):
-        """Time the columns of least reduced cost, and choose among all routes known."""
-        order = columns[np.argsort(-routes.spare[columns], kind="stable")]
+    def time_routes(self, routes, room):
+        """Time the columns that the linear relaxation takes or would take first, and choose among all routes known;
+        room: (J,) by how much the cost of each may grow, negative for those that no choice within the limit takes."""
+        order = np.argsort(-room, kind="stable")
         for column in order[: self.parameters.timed * self.n]:
-            if self.clock.out():
+            if self.clock.out() or room[column] < 0.0:
                 return
             route = routes.segments(column)
             if self.incumbent.timed(route) and self.alone:
@@ -235,11 +236,8 @@ class Node:
         shortest = {}  # of a set, by its first column: the route
 
         def settle_set(columns):
-            sequences = routes.sequences(columns, int(self.few_sequences))
-            if sequences is None:
-                return None
-            best = np.inf
-            for route in sequences:
+            sequences, best = routes.sequences(columns, int(self.few_sequences)), np.inf
+            for route in routes.cheapest(columns, self.parameters.timed) if sequences is None else sequences:
                 if self.clock.out():
                     return None
                 if (timed := self.incumbent.timed(route)) is None:
@@ -248,7 +246,7 @@ class Node:
                     self.incumbent.offer([route])
                 if timed[2] < best:
                     best, shortest[columns[0]] = timed[2], route
-            return best
+            return None if sequences is None else best
 
         def on_bound(bound):
             self.raise_bound(bound)

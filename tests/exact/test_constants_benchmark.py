@@ -8,7 +8,7 @@ from mamttsp.exact import Parameters
 
 #: limits of memory, time and accuracy, which are not weighed
 LIMITS = {"annealing_step", "annealing_longest", "choice_seconds", "most_labels", "most_pieces", "most_arcs"}
-LIMITS |= {"annealing_most", "most_labels_alone", "arcs_rate", "hardly", "thinnest", "left_out"}
+LIMITS |= {"annealing_most", "most_entries", "most_labels_alone", "arcs_rate", "hardly", "thinnest", "left_out"}
 
 
 def test_every_constant_is_varied_or_a_limit():
