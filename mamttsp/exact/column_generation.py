@@ -167,7 +167,7 @@ class ColumnGeneration:
         network, before = self.network if few_entries is None else self.near_network(), time.monotonic()
         limits = Limits(self.parameters.most_entries, out)
         found = evaluate(network, self.N, pi, cuts, self.fleet, self.tolerance, few_entries, limits)
-        self.work += int(found.lists.count[network.arcs.head].sum())
+        self.work += found.extensions
         if few_entries is None:
             self.lasted = time.monotonic() - before
         return found

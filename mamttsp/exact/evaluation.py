@@ -77,7 +77,7 @@ def refined(network, graph, width, centre, targets):
 @dataclasses.dataclass(frozen=True, eq=False)
 class Evaluation:
     """L at prices pi (n,) and those of the cuts, over a network. lists: values to go; cost, entry: (Q,) see
-    `ngroutes.cheapest_starts`; value: L, infinite if there is no ng-route at all; complete: False if not all ng-routes
+    `ngroutes.cheapest_starts`; extensions: of entries, what it took; value: L, infinite if there is no ng-route at all; complete: False if not all ng-routes
     were looked at: value then is only at least L, and bound -infinity."""
 
     network: Network
@@ -89,6 +89,7 @@ class Evaluation:
     cost: np.ndarray
     entry: np.ndarray
     complete: bool
+    extensions: int
     limits: Limits
 
     @property
@@ -161,7 +162,7 @@ class Evaluation:
     def eliminated(self, limit, tolerance):
         """Return the Network of what lies on a relaxed solution of value at most `limit`."""
         network, slack = self.network, self.slack(limit)
-        back = _values(network.back, self.prices, tolerance, None, self.limits)
+        back, _ = _values(network.back, self.prices, tolerance, None, self.limits)
         alive = arcs_alive(network.ahead, self.prices, self.lists, back, slack)
         back_cost, _ = ngroutes.cheapest_starts(network.back, self.prices, back)
         allowed = slack[self.pieces.layer]
@@ -177,11 +178,11 @@ def evaluate(network, N, pi, cuts, fleet, tolerance, few_entries=None, limits=Li
     all; Unfinished is raised beyond the limits.
     """
     prices = ngroutes.Prices(pi, to_words(N), *cuts.words)
-    lists = _values(network.ahead, prices, tolerance, few_entries, limits)
+    lists, extensions = _values(network.ahead, prices, tolerance, few_entries, limits)
     cost, entry = ngroutes.cheapest_starts(network.ahead, prices, lists)
     n = len(pi)
     return Evaluation(
-        network, pi, cuts, fleet, prices, lists, cost - n * tolerance, entry, few_entries is None, limits
+        network, pi, cuts, fleet, prices, lists, cost - n * tolerance, entry, few_entries is None, extensions, limits
     )  # fmt: skip
 
 

@@ -240,8 +240,9 @@ def _room(size, W):
 
 
 def values_to_go(side, prices, tolerance, most_passes, few, most, out):
-    """Return the Lists of values to go of each piece, its own multiplier not included; raise Unfinished if the list of
-    one needs room for more than `most` entries, or out() tells that time is up.
+    """Return (Lists, extensions): values to go of each piece, its own multiplier not included, and how many extensions
+    of entries along arcs they took; raise Unfinished if a list needs room for more than `most` entries, or out() tells
+    that time is up.
 
     tolerance: a change of a value that counts as none; few: entries of a list that are kept, ALL_ENTRIES for all: with
     fewer than there are the values are those of some ng-routes, and bound nothing.
@@ -251,16 +252,18 @@ def values_to_go(side, prices, tolerance, most_passes, few, most, out):
         so_far, fits = _continued(side, prices, tolerance, few, most, so_far)
         if not fits or out():
             raise Unfinished
-    return so_far.lists
+    return so_far.lists, so_far.extensions
 
 
 class _SoFar(NamedTuple):
-    """Lists after so many visits to pieces, pass after pass in order of time; the first `used` entries are in use;
-    dirty: (Q,) pieces to whose lists more may come; work: room for one list."""
+    """Lists after so many visits to pieces, pass after pass in order of time, and so many extensions of entries along
+    arcs; the first `used` entries are in use; dirty: (Q,) pieces to whose lists more may come; work: room for one list.
+    """
 
     lists: Lists
     used: int
     visits: int
+    extensions: int
     dirty: np.ndarray
     work: tuple
 
@@ -272,13 +275,13 @@ def _begun(Q, W, most):
         np.zeros(Q, np.int64), np.zeros(Q, np.int64), np.empty((size, W), np.uint64), np.empty(size, np.uint64),
         np.empty(size), np.empty(size), np.empty(size),
     )  # fmt: skip
-    return _SoFar(lists, np.int64(0), np.int64(0), np.ones(Q, np.bool_), _room(min(256, most), W))
+    return _SoFar(lists, np.int64(0), np.int64(0), np.int64(0), np.ones(Q, np.bool_), _room(min(256, most), W))
 
 
 @compiled
 def _continued(side, prices, tolerance, few, most, so_far):
     """Return (_SoFar, whether `most` entries were room enough) after some tenths of a second, or a pass."""
-    lists, used, visits, dirty, work = so_far
+    lists, used, visits, extensions, dirty, work = so_far
     Q, W, effort = len(side.a), prices.N.shape[1], 0
     first_time = visits < Q
     while effort < _AT_ONCE:
@@ -289,9 +292,10 @@ def _continued(side, prices, tolerance, few, most, so_far):
             known = _extended(q, side, prices, lists, work, first_time, few)
             while known < 0:
                 if len(work[2]) >= most:
-                    return _SoFar(lists, used, visits, dirty, work), False
+                    return _SoFar(lists, used, visits, extensions, dirty, work), False
                 work = _room(min(4 * len(work[2]), most), W)
                 known = _extended(q, side, prices, lists, work, first_time, few)
+            extensions += _entries_ahead(side.head, lists.count, side.start[q], side.start[q + 1])
             effort += known * known * (side.start[q + 1] - side.start[q])
             if not _unchanged(work, known, lists, q, tolerance):
                 if known > lists.count[q]:
@@ -303,11 +307,24 @@ def _continued(side, prices, tolerance, few, most, so_far):
                     lists.first[q] = used
                     used += known
                 _store(work, known, lists, q)
-                for k in range(side.back_start[q], side.back_start[q + 1]):
-                    dirty[side.back[k]] = True
+                _mark(side.back, dirty, side.back_start[q], side.back_start[q + 1])
         if visits % Q == 0:
             break
-    return _SoFar(lists, used, visits, dirty, work), True
+    return _SoFar(lists, used, visits, extensions, dirty, work), True
+
+
+@compiled
+def _entries_ahead(head, count, begin, end):
+    total = 0
+    for k in range(begin, end):
+        total += count[head[k]]
+    return total
+
+
+@compiled
+def _mark(back, dirty, begin, end):
+    for k in range(begin, end):
+        dirty[back[k]] = True
 
 
 @compiled

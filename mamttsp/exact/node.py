@@ -55,6 +55,12 @@ class Node:
         self.priced = max(self.priced, min(bound, self.limit))
         self.raise_bound(bound)
 
+    def evaluated(self, bound):
+        """Take the bound of an evaluation, and look for tours again if that has become cheap."""
+        self.raise_priced(bound)
+        if not self.over():
+            self.search.search_more_tours(self.generation.work)
+
     def over(self):
         return self.search.over() or self.exhausted or self.bound >= self.limit
 
@@ -78,8 +84,6 @@ class Node:
         few_entries = p.few_entries if self.finer_from == -np.inf else ()  # prices are good once pieces were refined
         for most_entries in (*few_entries, None):
             routes = self.stage(most_entries)
-            if not self.over() and not self.near():
-                self.search.search_more_tours(self.generation.work)
             if routes or self.over():
                 break
         if self.over() or (not routes and self.strengthen(self.worthwhile(before))):
@@ -114,7 +118,7 @@ class Node:
     def stage(self, most_entries):
         """Move the prices with so many entries of each piece, and eliminate; return all routes if they are few."""
         generation = self.generation
-        generation.run(most_entries, self.limit, self.clock, self.raise_priced)
+        generation.run(most_entries, self.limit, self.clock, self.evaluated)
         self.search.report("prices")
         if self.over():
             return None

@@ -42,8 +42,8 @@ class Parameters:
     annealing_most: float = 0.25
     annealing_step: int = 25
     annealing_longest: int = 500
-    #: while the gap is wide as many iterations in all, times targets and agents, for each entry that prices extend
-    annealing_share: float = 0.02
+    #: as many iterations in all, times targets and agents, for each extension of an entry that prices take
+    annealing_share: float = 0.005
     #: its time grid: points for each target; by how many steps a flight may come late on it, and what is charged for
     #: the distance that it is short by, in turn: where charges are low routes look shorter than they are, where they
     #: are high some look longer
@@ -61,7 +61,7 @@ class Parameters:
     #: heat of its annealing at first, as a share of the length; cost of a target left out, in sizes of the area
     heat: float = 0.02
     left_out: float = 4.0
-    #: a gap below this share is small: no more tours are looked for, and sets are settled
+    #: a gap below this share is small: sets are settled
     near: float = 0.01
     #: columns that are timed in a round, for each target
     timed: int = 5
@@ -76,8 +76,8 @@ class Parameters:
     #: label extensions of an enumeration, for each extension of an entry that prices have taken, with several agents
     #: and with one, for whom little else closes a gap; labels, at most, with several and with one, for whom fewer
     #: links lead to each: then two arcs take the place of a label
-    enumeration: float = 0.8
-    enumeration_alone: float = 15.0
+    enumeration: float = 0.3
+    enumeration_alone: float = 4.5
     most_labels: int = 8_000_000
     most_labels_alone: int = 16_000_000
     #: for one agent, other multipliers at which a label must be possible to complete: those tried that are so far from

@@ -92,9 +92,8 @@ def _entries(lists, q):
 
 
 def _values(side, prices):
-    return ngroutes.values_to_go(
-        side, prices, 0.0, len(prices.pi), ngroutes.ALL_ENTRIES, ngroutes.ALL_ENTRIES, lambda: False
-    )
+    every = ngroutes.ALL_ENTRIES
+    return ngroutes.values_to_go(side, prices, 0.0, len(prices.pi), every, every, lambda: False)[0]
 
 
 @pytest.mark.parametrize("seed, width, kind", list(itertools.product(SEEDS, WIDTHS, KINDS)))
