@@ -36,9 +36,9 @@ class ColumnGeneration:
     """Column generation over one network after another; what it knows of routes and prices is taken along.
 
     best: the Evaluation of the greatest bound over the present network, ng-sets and cuts, None before the first;
-    support: (route, level, layer) of the master's columns in use; rolled_back: see `roll_back`; decisions: see `splitting`; work: entries extended
-    along arcs so far; lasted: seconds of the latest evaluation of all entries, at first about what it will take: none
-    begins that would end too late.
+    support: (route, level, layer) of the master's columns in use; decisions: see `splitting`; rolled_back: whether
+    `roll_back` was called; work: entries extended along arcs so far; lasted: seconds of the latest evaluation of all
+    entries, at first about what it will take: none begins that would end too late.
     """
 
     def __init__(self, network, n_targets, fleet, pi, parameters, unit):

@@ -67,8 +67,8 @@ class Enumeration:
         self.members = membership(self.visited, self.n)
 
     def _within(self, evaluations, limit, depth, layer, labels, reduced):
-        """Return (depth, label, visited, agents, cost) of the labels whose routes stay within the limit, by their reduced
-        costs at the first prices."""
+        """Return (depth, label, visited, agents, cost) of the labels whose routes stay within the limit, by what they
+        cost at each of the prices."""
         visited, agents = layer.visited[labels], self.pieces.layer[layer.piece[labels]]
         members = membership(visited, self.n)
         paid = [members.T @ e.pi + e.cuts.price_of(members) for e in evaluations]

@@ -28,6 +28,9 @@ class Limits(NamedTuple):
     out: Callable = lambda: False
 
 
+NO_LIMITS = Limits()
+
+
 class Network(NamedTuple):
     """Pieces and the arcs between them that a better solution may use; starts, ends: (Q,) bool, pieces where its
     routes may begin and end; ahead, back: both directions of time, see `ngroutes`."""
@@ -77,8 +80,9 @@ def refined(network, graph, width, centre, targets):
 @dataclasses.dataclass(frozen=True, eq=False)
 class Evaluation:
     """L at prices pi (n,) and those of the cuts, over a network. lists: values to go; cost, entry: (Q,) see
-    `ngroutes.cheapest_starts`; extensions: of entries, what it took; value: L, infinite if there is no ng-route at all; complete: False if not all ng-routes
-    were looked at: value then is only at least L, and bound -infinity."""
+    `ngroutes.cheapest_starts`; extensions: of entries, that it took; value: L, infinite if there is no ng-route at all;
+    complete: False if not all ng-routes were looked at: value then is only at least L, and bound -infinity; limits:
+    `eliminated` keeps to them as well."""
 
     network: Network
     pi: np.ndarray
@@ -171,7 +175,7 @@ class Evaluation:
         )
 
 
-def evaluate(network, N, pi, cuts, fleet, tolerance, few_entries=None, limits=Limits()):
+def evaluate(network, N, pi, cuts, fleet, tolerance, few_entries=None, limits=NO_LIMITS):
     """Return the Evaluation at multipliers pi; values that change by less than `tolerance` count as unchanged.
 
     N: (n, n) bool, the ng-sets; few_entries: that a piece may have, of which the Evaluation is not complete, None for

@@ -1,5 +1,5 @@
-"""A node's bound from some of the routes, those of solutions in a lower part of the gap; and from smaller ng-sets, where
-values to go take too many entries."""
+"""A node's bound from some of the routes, those of solutions in a lower part of the gap; and from smaller ng-sets,
+where values to go take too many entries."""
 
 import dataclasses
 
@@ -71,7 +71,7 @@ def test_where_values_take_too_many_entries_ng_sets_are_rolled_back():
         after = node.generation.N
         assert (before | ~after).all() and 0 < after.sum() < before.sum()
         node.round()
-        assert (node.generation.N == after).all() and not len(node.generation.cuts.rows)
+        assert (after == node.generation.N).all() and not len(node.generation.cuts.rows)
     assert 0.0 < node.bound <= optimum(instance) * (1.0 + 1e-9)
 
 
