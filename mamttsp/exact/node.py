@@ -64,9 +64,9 @@ class Node:
     def over(self):
         return self.search.over() or self.exhausted or self.bound >= self.limit
 
-    def near(self):
-        """Tell whether the gap is small."""
-        return self.bound >= (1.0 - self.parameters.near) * self.limit
+    def near(self, limit):
+        """Tell whether the gap between the bound and `limit` is small."""
+        return self.bound >= (1.0 - self.parameters.near) * limit
 
     def round(self):
         """Raise the bound over the present pieces, drop what is beyond the limit, and try to enumerate the rest; return
@@ -179,10 +179,10 @@ class Node:
             return None
         routes, sets = found
         # Far from the limit, shorter pieces raise all bounds at once; but that is tried only once.
-        ready = alone or self.enumerated or self.near()
+        ready = alone or self.enumerated or self.near(self.limit)
         self.enumerated = True
-        if not self.over() and ready and 0 < len(sets.cost) <= p.few_sets:
-            self.settle(sets, routes)
+        if ready and self.settle(sets, routes, self.limit):
+            self.exhausted = not self.over()
         return routes
 
     def look_lower(self, evaluations):
@@ -193,7 +193,10 @@ class Node:
             limit = bound + part * gap
             if self.over() or limit - self.priced < finer_gain:  # shorter pieces will raise it further
                 return
-            if self.competing(evaluations, limit, self.parameters.parts_work):
+            if found := self.competing(evaluations, limit, self.parameters.parts_work):
+                routes, sets = found
+                if self.near(limit):
+                    self.settle(sets, routes, limit)
                 return
 
     def competing(self, evaluations, limit, work=1.0):
@@ -235,8 +238,11 @@ class Node:
                 self.incumbent.offer([route])
         self.search.recombine()
 
-    def settle(self, sets, routes):
-        """Settle the competing sets of targets by timing their sequences."""
+    def settle(self, sets, routes, limit):
+        """Settle the competing sets of targets, those of all solutions within `limit`, by timing their sequences; return
+        whether nothing of them is left to do."""
+        if self.over() or not 0 < len(sets.cost) <= self.parameters.few_sets:
+            return False
         shortest = {}  # of a set, by its first column: the route
 
         def settle_set(columns):
@@ -258,14 +264,14 @@ class Node:
             self.search.report("settle")
 
         done, chosen = settle(
-            sets, self.generation.fleet, lambda: self.limit, self.search.unit, self.parameters, settle_set, on_bound,
-            self.clock,
+            sets, self.generation.fleet, lambda: min(limit, self.limit), self.search.unit, self.parameters, settle_set,
+            on_bound, self.clock,
         )  # fmt: skip
         if chosen:
             self.incumbent.offer([shortest[columns[0]] for columns in chosen])
         self.search.recombine()
         self.few_sequences *= self.parameters.more_sequences  # shorter pieces take longer, and leave fewer sequences
-        self.exhausted = done and not self.over()
+        return done
 
     def refine(self, routes=None):
         """Cut what is left into shorter pieces, with the incumbent's visit times in the middle of theirs; return False

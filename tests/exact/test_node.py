@@ -54,6 +54,24 @@ def test_routes_of_a_lower_part_of_the_gap_raise_the_bound_but_never_above_the_o
     assert m == 1 or bounds[-1] > priced
 
 
+@pytest.mark.parametrize("m", [1, 2])
+@pytest.mark.parametrize("seed", range(5))
+def test_a_lower_part_is_settled_to_its_end_or_to_the_optimum(seed, m):
+    instance = generate(5, 40, m, seed=seed)
+    shortest = optimum(instance)
+    with Watch(60.0) as clock:
+        node = _priced(instance, clock)
+        evaluations = node.generation.evaluations(0, clock)
+        limits = [node.priced + part * (shortest - node.priced) for part in (0.1, 0.5, 1.5)]
+        for limit in limits:
+            routes, sets = node.competing(evaluations, limit)
+            none_left = node.bound >= limit or not len(sets.cost)
+            assert none_left or node.settle(sets, routes, limit)
+            assert node.bound <= shortest * (1.0 + 1e-9)
+            assert none_left or node.bound == pytest.approx(min(limit, shortest), rel=2e-4)
+    assert node.incumbent.objective == pytest.approx(shortest, rel=1e-6)
+
+
 def test_without_room_for_any_part_the_bound_stays():
     with Watch(60.0) as clock:
         node = _priced(generate(6, 60, 2, seed=6), clock)
