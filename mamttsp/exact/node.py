@@ -239,8 +239,8 @@ class Node:
         self.search.recombine()
 
     def settle(self, sets, routes, limit):
-        """Settle the competing sets of targets, those of all solutions within `limit`, by timing their sequences; return
-        whether nothing of them is left to do."""
+        """Settle the competing sets of targets, those of all solutions within `limit`, by timing their sequences;
+        return whether nothing of them is left to do."""
         if self.over() or not 0 < len(sets.cost) <= self.parameters.few_sets:
             return False
         shortest = {}  # of a set, by its first column: the route
