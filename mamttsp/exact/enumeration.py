@@ -88,10 +88,6 @@ class Enumeration:
         """Return the segments of a column's route, a tuple of nodes of the graph in the order of its visits."""
         return tuple(int(i) for i in self.pieces.segment[self.route(column)])
 
-    def cheapest(self, columns, most):
-        """Return the segments of up to `most` of these columns, those of least cost."""
-        return [self.segments(column) for column in columns[np.argsort(self.cost[columns])[:most]]]
-
     def lead(self, alive):
         """Keep only the columns marked `alive` (J,), and the labels that lead to them, themselves or through what
         dominates them."""

@@ -56,9 +56,9 @@ class Node:
         self.raise_bound(bound)
 
     def evaluated(self, bound):
-        """Take the bound of an evaluation, and look for tours again if that has become cheap."""
+        """Take the bound of an evaluation, and look for tours again while the gap is wide, if that has become cheap."""
         self.raise_priced(bound)
-        if not self.over():
+        if not self.over() and not self.near(self.limit):
             self.search.search_more_tours(self.generation.work)
 
     def over(self):
@@ -247,7 +247,9 @@ class Node:
 
         def settle_set(columns):
             sequences, best = routes.sequences(columns, int(self.few_sequences)), np.inf
-            for route in routes.cheapest(columns, self.parameters.timed) if sequences is None else sequences:
+            if sequences is None:
+                return None
+            for route in sequences:
                 if self.clock.out():
                     return None
                 if (timed := self.incumbent.timed(route)) is None:
@@ -256,7 +258,7 @@ class Node:
                     self.incumbent.offer([route])
                 if timed[2] < best:
                     best, shortest[columns[0]] = timed[2], route
-            return None if sequences is None else best
+            return best
 
         def on_bound(bound):
             self.raise_bound(bound)

@@ -42,7 +42,8 @@ class Parameters:
     annealing_most: float = 0.25
     annealing_step: int = 25
     annealing_longest: int = 500
-    #: as many iterations in all, times targets and agents, for each extension of an entry that prices take
+    #: while the gap is wide as many iterations in all, times targets and agents, for each extension of an entry that
+    #: prices take
     annealing_share: float = 0.005
     #: its time grid: points for each target; by how many steps a flight may come late on it, and what is charged for
     #: the distance that it is short by, in turn: where charges are low routes look shorter than they are, where they
@@ -61,7 +62,7 @@ class Parameters:
     #: heat of its annealing at first, as a share of the length; cost of a target left out, in sizes of the area
     heat: float = 0.02
     left_out: float = 4.0
-    #: a gap below this share is small: sets are settled
+    #: a gap below this share is small: no more tours are looked for, and sets are settled
     near: float = 0.01
     #: columns that are timed in a round, for each target
     timed: int = 5

@@ -3,8 +3,7 @@
 A column is a set of targets with a lower bound on its shortest route, so the best choice of columns is a bound on every
 solution. A set in it that is not settled has all its sequences of segments timed by the SOCP, which raises its bound to
 its cost, and the choice is made anew: first by the linear relaxation, which is quick and drops most columns by their
-reduced costs, then in whole columns. Only the few sets that compete are ever settled; one of too many sequences keeps
-its bound.
+reduced costs, then in whole columns. Only the few sets that compete are ever settled.
 """
 
 import numpy as np
@@ -16,8 +15,8 @@ from .partition import choose, relax_choice
 class Sets:
     """The competing sets of targets of an enumeration's columns, the same set with other agents another one.
 
-    members: (n, J) sparse 0/1; agents: (J,) layers of the graph; cost: (J,) lower bounds; asked, settled: (J,) bool,
-    sets whose costs were asked for, and are known; columns: of each set the columns that it comes from.
+    members: (n, J) sparse 0/1; agents: (J,) layers of the graph; cost: (J,) lower bounds; settled: (J,) bool; columns:
+    of each set the columns that it comes from.
     """
 
     def __init__(self, visited, agents, cost, n_targets):
@@ -29,20 +28,19 @@ class Sets:
         self.of_column = of_column
         self.cost = np.full(len(unique), np.inf)
         np.minimum.at(self.cost, of_column, cost)
-        self.asked, self.settled = np.zeros((2, len(unique)), dtype=bool)
+        self.settled = np.zeros(len(unique), dtype=bool)
         self.members, self.agents = membership(unique, n_targets), unique[:, -1].astype(int)
 
     def keep(self, which):
         """Drop all other sets."""
-        self.asked, self.settled = self.asked[which], self.settled[which]
-        self.cost, self.agents = self.cost[which], self.agents[which]
+        self.cost, self.settled, self.agents = self.cost[which], self.settled[which], self.agents[which]
         self.members = self.members[:, which]
         self.columns = [columns for columns, kept in zip(self.columns, which) if kept]
 
 
 def settle(sets, fleet, limit, unit, parameters, settle_set, on_bound, clock):
-    """Settle sets until nothing below the limit is left, all of the best choice were asked for, or time is up; return
-    (done, chosen): whether nothing is left to do, and the columns of each set of that choice, if all are settled.
+    """Settle sets until nothing below the limit is left, the choice is all settled, or time is up; return (done,
+    chosen): whether nothing is left to do, and the columns of each set of a best choice, all settled, if that is why.
 
     limit(): value from which solutions need not be looked at, it may fall on the way; settle_set(columns): the least
     cost of the set's routes below the limit, infinite if there is none, None if that cannot be told; on_bound(bound):
@@ -60,18 +58,18 @@ def settle(sets, fleet, limit, unit, parameters, settle_set, on_bound, clock):
         alive[relaxed.support] = True
         competing = (np.cumsum(alive) - 1)[relaxed.support]
         sets.keep(alive)
-        if bound < limit() and sets.asked[competing].all():
+        if bound < limit() and sets.settled[competing].all():
             bound, competing = choose(sets.members, sets.agents, sets.cost, fleet, limit(), unit, clock.seconds)
         on_bound(min(bound, limit()))
         if bound >= limit() or competing is None:
             return bound >= limit(), []
-        if sets.asked[competing].all():
-            settled = bool(sets.settled[competing].all())
-            return settled, [sets.columns[j] for j in competing if settled]
+        if sets.settled[competing].all():
+            return True, [sets.columns[j] for j in competing]
         for j in competing:
-            if not sets.asked[j] and not clock.out():
-                sets.asked[j] = True
-                if (cost := settle_set(sets.columns[j])) is not None:
-                    sets.cost[j] = max(sets.cost[j], min(cost, 2.0 * limit() + unit))
-                    sets.settled[j] = True
+            if not sets.settled[j] and not clock.out():
+                cost = settle_set(sets.columns[j])
+                if cost is None:
+                    return False, []
+                sets.cost[j] = max(sets.cost[j], min(cost, 2.0 * limit() + unit))
+                sets.settled[j] = True
     return False, []
