@@ -229,9 +229,9 @@ class Node:
     def time_routes(self, routes, room):
         """Time the columns that the linear relaxation takes or would take first, and choose among all routes known;
         room: (J,) by how much the cost of each may grow, negative for those that no choice within the limit takes."""
-        order = np.argsort(-room, kind="stable")
-        for column in order[: self.parameters.timed * self.n]:
-            if self.clock.out() or room[column] < 0.0:
+        order = np.argsort(-room, kind="stable")[: self.parameters.timed * self.n]
+        for column in order[room[order] >= 0.0]:
+            if self.clock.out():
                 return
             route = routes.segments(column)
             if self.incumbent.timed(route) and self.alone:
