@@ -71,3 +71,12 @@ def test_the_tables_are_what_the_rows_say(tmp_path):
         shutil.copy(FOLDER / name, tmp_path)
     for path in build_tables(tmp_path):
         assert path.read_bytes() == (FOLDER / path.name).read_bytes(), f"{path.name}: run python -m mamttsp tables"
+
+
+def test_runs_set_aside_are_contradicted_by_tours_that_are_verified():
+    runs = pd.read_csv(FOLDER / "contradicted_runs.csv")
+    known = runs.merge(_best_known(), on=list(INSTANCE), suffixes=("", "_known"))
+    assert len(known) == len(runs) > 0
+    assert (known.bound > known.objective_known * (1.0 + 1e-4)).all()
+    used = pd.read_csv(FOLDER / "claims_runs.csv", usecols=[*INSTANCE, "method", "modeler", "solver", "date"])
+    assert not len(runs.merge(used, on=list(used.columns)))
