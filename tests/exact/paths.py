@@ -50,3 +50,5 @@ FORCED = {
 UNSETTLED = ("no set is settled", "no sequence is timed")
 #: paths on which labels are not enumerated, or late: the linear relaxation and shorter pieces close no other gap
 UNENUMERATED = tuple(name for name, changed in FORCED.items() if changed.get("enumeration", 1.0) < 1.0)
+#: paths on which evaluations are given up, and nothing is proved where even the smallest ng-sets take too many entries
+GIVEN_UP = ("ng-sets are rolled back",)

@@ -9,12 +9,12 @@ from mamttsp.options import Options
 from mamttsp.warm_up import ensure_compiled
 from tests.exact.certificates import assert_brackets, assert_certificate
 from tests.exact.hostile import KINDS, hostile
-from tests.exact.paths import FORCED, UNENUMERATED, UNSETTLED
+from tests.exact.paths import FORCED, GIVEN_UP, UNENUMERATED, UNSETTLED
 from tests.oracle import optimum
 
 PATHS = {"as it is": {}} | FORCED
 #: s for the paths that may leave a gap
-_LIMITS = dict.fromkeys(UNENUMERATED, 5.0) | dict.fromkeys(UNSETTLED, 1.0)
+_LIMITS = dict.fromkeys((*UNENUMERATED, *GIVEN_UP), 5.0) | dict.fromkeys(UNSETTLED, 1.0)
 #: instances of each kind: 210 in all, and 2025
 FEW, MANY = range(14), range(1000, 1135)
 
