@@ -13,7 +13,7 @@ import numpy as np
 
 from . import ngsets
 from .cuts import Cuts
-from .evaluation import Limits, evaluate, restricted
+from .evaluation import NO_LIMITS, Limits, evaluate, restricted
 from .ngroutes import Unfinished
 from .restricted_master import RestrictedMaster
 
@@ -161,7 +161,7 @@ class ColumnGeneration:
         self.cuts, self.best = self.cuts.with_more(rows, memory), None
         self._fresh_master()
 
-    def evaluate(self, pi, cuts, few_entries=None, out=lambda: False):
+    def evaluate(self, pi, cuts, few_entries=None, out=NO_LIMITS.out):
         """Return an Evaluation; of few entries it is of few arcs as well, and proves nothing. Unfinished is raised once
         out() tells that time is up, or entries are too many."""
         network, before = self.network if few_entries is None else self.near_network(), time.monotonic()

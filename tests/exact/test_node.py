@@ -31,10 +31,10 @@ def _root(instance, clock, parameters=PARAMETERS):
 
 
 def _priced(instance, clock):
-    """Return that Node, its prices moved."""
+    """Return (that Node, its prices moved; the Evaluations at these)."""
     node = _root(instance, clock)
     node.generation.run(None, node.limit, clock, node.raise_priced)
-    return node
+    return node, node.generation.evaluations(0, clock)
 
 
 @pytest.mark.parametrize("m", [1, 2])
@@ -43,8 +43,8 @@ def test_routes_of_a_lower_part_of_the_gap_raise_the_bound_but_never_above_the_o
     instance = generate(5, 40, m, seed=seed)
     shortest = optimum(instance)
     with Watch(60.0) as clock:
-        node = _priced(instance, clock)
-        evaluations, priced, bounds = node.generation.evaluations(0, clock), node.priced, []
+        node, evaluations = _priced(instance, clock)
+        priced, bounds = node.priced, []
         for part in (0.02, 0.1, 0.5, 0.98):
             limit = priced + part * (node.limit - priced)
             assert node.competing(evaluations, limit)
@@ -60,8 +60,7 @@ def test_a_lower_part_is_settled_to_its_end_or_to_the_optimum(seed, m):
     instance = generate(5, 40, m, seed=seed)
     shortest = optimum(instance)
     with Watch(60.0) as clock:
-        node = _priced(instance, clock)
-        evaluations = node.generation.evaluations(0, clock)
+        node, evaluations = _priced(instance, clock)
         limits = [node.priced + part * (shortest - node.priced) for part in (0.1, 0.5, 1.5)]
         for limit in limits:
             routes, sets = node.competing(evaluations, limit)
@@ -74,8 +73,8 @@ def test_a_lower_part_is_settled_to_its_end_or_to_the_optimum(seed, m):
 
 def test_without_room_for_any_part_the_bound_stays():
     with Watch(60.0) as clock:
-        node = _priced(generate(6, 60, 2, seed=6), clock)
-        evaluations, priced = node.generation.evaluations(0, clock), node.priced
+        node, evaluations = _priced(generate(6, 60, 2, seed=6), clock)
+        priced = node.priced
         assert node.competing(evaluations, node.limit, work=0.0) is None
         assert node.bound == node.priced == priced
 
