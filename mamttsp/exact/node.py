@@ -175,6 +175,7 @@ class Node:
         self.raise_priced(evaluations[0].bound)
         if (found := self.competing(evaluations, self.limit)) is None:
             self.search.report("labels")
+            self.search.search_more_tours(self.generation.work)
             self.look_lower(evaluations)
             return None
         routes, sets = found
@@ -204,11 +205,13 @@ class Node:
         tours; return (Enumeration, Sets) of what competes, or None without room or time; work: share of what an
         enumeration may take."""
         p, alone = self.parameters, self.alone
-        budget = work * (p.enumeration_alone if alone else p.enumeration) * self.generation.work
+        share = p.enumeration_alone if alone else p.enumeration
+        budget = work * max(share * self.generation.work, p.least_extensions)
         longest = max(map(len, self.incumbent.routes), default=self.n)
         most = p.most_labels_alone - self.search.arcs // 2 if alone else p.most_labels
         routes = Enumeration(evaluations, limit, alone, longest, most, budget, self.clock)
         self.search.labels += routes.size
+        self.search.extensions += routes.extensions
         if not routes.complete:
             return None
         self.search.columns += len(routes.cost)

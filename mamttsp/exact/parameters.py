@@ -37,13 +37,13 @@ class Parameters:
     #: and of all together, at most
     first_pieces: int = 500
     #: looks of ruin and recreate, for each target, and the share of the time left that they may take; iterations of
-    #: one, for each target, and at most
-    annealing: float = 0.5
+    #: one, for each target, and at most: the tours of each look are timed, and all routes are chosen among
+    annealing: float = 2.5
     annealing_most: float = 0.25
-    annealing_step: int = 25
-    annealing_longest: int = 500
-    #: while the gap is wide as many iterations in all, times targets and agents, for each extension of an entry that
-    #: prices take
+    annealing_step: int = 5
+    annealing_longest: int = 100
+    #: while the gap is wide, or an enumeration did not fit, as many iterations in all, times targets and agents, for
+    #: each extension of an entry that prices take, and of a label
     annealing_share: float = 0.005
     #: its time grid: points for each target; by how many steps a flight may come late on it, and what is charged for
     #: the distance that it is short by, in turn: where charges are low routes look shorter than they are, where they
@@ -54,7 +54,7 @@ class Parameters:
     #: targets that a ruin takes out on average, and at most as a string from one route; how often it takes the targets
     #: closest to one instead, wherever they are; how often they come back in random order, not first the far ones or
     #: those of large demand, short, early or late windows; how often a place is overlooked on the way back
-    removed: float = 16.0
+    removed: float = 10.0
     string: float = 30.0
     radial: float = 0.5
     shuffled: float = 0.5
@@ -72,13 +72,16 @@ class Parameters:
     choice_cuts: int = 30
     choice_most_cuts: int = 200
     choice_few: int = 200_000
-    #: seconds for a choice among known routes
+    #: seconds for a choice among known routes; more where all choices have taken less than this share of the run
     choice_seconds: float = 0.5
+    choice_share: float = 0.05
     #: label extensions of an enumeration, for each extension of an entry that prices have taken, with several agents
-    #: and with one, for whom little else closes a gap; labels, at most, with several and with one, for whom fewer
-    #: links lead to each: then two arcs take the place of a label
+    #: and with one, for whom little else closes a gap; and what each may take at least, milliseconds
     enumeration: float = 0.3
     enumeration_alone: float = 4.5
+    least_extensions: int = 10_000
+    #: labels, at most, with several agents and with one, for whom fewer links lead to each: then two arcs take the
+    #: place of a label
     most_labels: int = 8_000_000
     most_labels_alone: int = 16_000_000
     #: for one agent, other multipliers at which a label must be possible to complete: those tried that are so far from

@@ -3,7 +3,7 @@
 import numpy as np
 
 #: no enumeration fits, at whatever time
-NONE_FITS = dict.fromkeys(("enumeration", "enumeration_alone"), 0.01)
+NONE_FITS = {"enumeration": 0.01, "enumeration_alone": 0.01, "least_extensions": 0}
 #: {name: fields of `Parameters` that differ from the defaults}
 FORCED = {
     "no enumeration fits at first": {**NONE_FITS, "piece": 9.0, "pieces_each": 4},

@@ -54,6 +54,11 @@ def test_an_optimum_of_thousandths_is_proved_in_an_area_of_hundreds():
     assert_certificate(problem, solve_exact(problem, Options(time_limit=60.0)), optimum(problem))
 
 
+def test_an_enumeration_is_tried_after_hardly_any_work():
+    problem = hostile("all_at_once", 1133)
+    _assert_found(problem, math.inf, "two steps of column generation")
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("seed", MANY)
