@@ -14,14 +14,13 @@ class Enumeration:
 
     whole: whether each route serves all targets; longest: visits that long routes make. complete: False if it needed
     more than `most` labels or `budget` extensions, or more time than the clock has left; it then proves nothing.
-    extensions: of labels, that it took.
     One column for each closed route: visited (J, W); agents (J,) its layer of the graph; cost (J,) lower bound on its
     length. depth, label: (J,) where it ends.
     """
 
     def __init__(self, evaluations, limit, whole, longest, most, budget, clock):
         self.pieces, self.n = evaluations[0].pieces, len(evaluations[0].pi)
-        self.complete, self.layers, self.links, self.extensions = True, [], [], 0
+        self.complete, self.layers, self.links = True, [], []
         self._grow(evaluations, limit, longest, most, budget, clock)
         if self.complete:
             self._collect(evaluations, limit, whole)
@@ -36,13 +35,13 @@ class Enumeration:
         Most labels are half way along the longest routes, few at their ends: if more of the budget is gone than the
         share of the work that is done by then in most enumerations, it will not last.
         """
-        completions, arcs = completions_of(evaluations, limit), evaluations[0].arcs
+        completions, arcs, spent = completions_of(evaluations, limit), evaluations[0].arcs, 0
         self.layers.append(lab.first_labels(evaluations, limit))
         while len(self.layers) < self.n and len(self.layers[-1].left):
             share = min(len(self.layers) / longest, 1.0)
             due = budget * share**2 * (3.0 - 2.0 * share)
-            self.extensions += int(np.diff(arcs.start)[self.layers[-1].piece].sum())
-            room, self.complete = max(float(most - self.size), 0.0), self.extensions <= due
+            spent += int(np.diff(arcs.start)[self.layers[-1].piece].sum())
+            room, self.complete = max(float(most - self.size), 0.0), spent <= due
             if self.complete:
                 layer, links, self.complete = lab.extend(
                     self.layers[-1], self.pieces, arcs, completions, room, clock.out

@@ -211,7 +211,6 @@ class Node:
         most = p.most_labels_alone - self.search.arcs // 2 if alone else p.most_labels
         routes = Enumeration(evaluations, limit, alone, longest, most, budget, self.clock)
         self.search.labels += routes.size
-        self.search.extensions += routes.extensions
         if not routes.complete:
             return None
         self.search.columns += len(routes.cost)

@@ -43,7 +43,7 @@ class Parameters:
     annealing_step: int = 5
     annealing_longest: int = 100
     #: while the gap is wide, or an enumeration did not fit, as many iterations in all, times targets and agents, for
-    #: each extension of an entry that prices take, and of a label
+    #: each extension of an entry that prices take
     annealing_share: float = 0.005
     #: its time grid: points for each target; by how many steps a flight may come late on it, and what is charged for
     #: the distance that it is short by, in turn: where charges are low routes look shorter than they are, where they

@@ -18,15 +18,15 @@ class Search:
     """A run of the exact solver for the targets of a graph; what it has found and proved is in `standing`.
 
     annealing: looks for tours before each round; start: routes of segments to begin with, or none. nodes: the open
-    ones, which hold every solution below the limit; labels, extensions: made by enumerations, and of labels along arcs;
-    iterations: of ruin and recreate; choosing: seconds that choices among known routes took.
+    ones, which hold every solution below the limit; labels: made by enumerations; iterations: of ruin and recreate;
+    choosing: seconds that choices among known routes took.
     """
 
     def __init__(self, graph, fleet, gap, clock, parameters, annealing, progress=None, start=()):
         self.graph, self.n, self.fleet, self.m = graph, graph.n_targets, fleet, fleet.n_agents
         self.clock, self.parameters, self.progress, self.annealing = clock, parameters, progress, annealing
         self.standing, self.unit, self.nodes = Standing(graph, fleet, gap), graph.size or 1.0, []
-        self.labels, self.extensions, self.columns, self.iterations, self.choosing = 0, 0, 0, 0, 0.0
+        self.labels, self.columns, self.iterations, self.choosing = 0, 0, 0, 0.0
         if start:
             self.incumbent.offer(start)
 
@@ -100,10 +100,9 @@ class Search:
         return pi
 
     def search_more_tours(self, work):
-        """Look for tours again, for at least as long as so far, if that is cheap beside the `work` of prices and the
-        labels extended: cooling slowly once finds shorter tours than cooling fast time and again."""
-        worth = self.parameters.annealing_share * (work + self.extensions)
-        iterations = worth / (self.n + self.m) - self.iterations
+        """Look for tours again, for at least as long as so far, if that is cheap beside the entries that prices have
+        extended: cooling slowly once finds shorter tours than cooling fast time and again."""
+        iterations = self.parameters.annealing_share * work / (self.n + self.m) - self.iterations
         if iterations >= self.iterations:
             self.search_tours(iterations / self.iterations_each)
 
