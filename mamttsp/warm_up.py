@@ -19,7 +19,7 @@ PARTS = {
 #: instances that need nearly all of the code, with one agent and two; and parameters that need the rest, rounds with
 #: shorter pieces before all labels fit
 _N_TARGETS, _TOTAL_WINDOW, _AGENTS = 11, 40, (1, 2)
-_SHORTER = {"enumeration": 0.01, "enumeration_alone": 0.01, "pieces_each": 2, "worthwhile": 2.0}
+_SHORTER = {"enumeration": 0.01, "enumeration_alone": 0.01, "least_extensions": 0, "pieces_each": 2, "worthwhile": 2.0}
 
 
 def ensure_compiled(part="exact", stream=None):
