@@ -76,7 +76,7 @@ class Parameters:
     choice_seconds: float = 0.5
     choice_share: float = 0.05
     #: label extensions of an enumeration, for each extension of an entry that prices have taken, with several agents
-    #: and with one, for whom little else closes a gap; and what each may take at least, milliseconds
+    #: and with one, for whom little else closes a gap; and how many it may make at least, which takes milliseconds
     enumeration: float = 0.3
     enumeration_alone: float = 4.5
     least_extensions: int = 10_000

@@ -49,7 +49,8 @@ def _caption(rows):
     def caption(bars):
         whole = f"{(bars.rows == bars.runs).sum()} of {len(bars)} bars have all their rows"
         counted = f"runs without a proof count at the limit, {bars.no_tours.sum()} without tours at 100 % gap"
-        return f"{conditions(rows)}; means of {bars.runs.max()} instances. {whole}; {counted}."
+        instances = " and ".join(map(str, sorted(set(bars.runs))))
+        return f"{conditions(rows)}; means of {instances} instances. {whole}; {counted}."
 
     return caption
 

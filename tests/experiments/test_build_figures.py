@@ -13,7 +13,8 @@ from mamttsp import paper_instance, solve
 from mamttsp.__main__ import main
 from mamttsp.experiments import build_figures as building
 from mamttsp.experiments import profile
-from mamttsp.experiments.sheets import paper_sheets
+from mamttsp.experiments.sheets import open_sheets, paper_sheets
+from mamttsp.experiments.summaries.row_statistics import read_table
 from tests.experiments.made_up_rows import EXACT, solved, stopped, write_rows
 
 PUBLISHED = Path(__file__).parents[2] / "paper_results" / "published.csv"
@@ -140,6 +141,13 @@ def test_the_figures_can_be_drawn_from_rows_of_other_routes():
         assert legend.get_title().get_text().startswith("Best open routes: ") and _caption(ax.figure) == "2 bars"
         assert [text.get_text() for text in legend.get_texts()] == ["baseline, SCIP", "MICP, Clarabel"]
         assert [bar.get_height() for bar in ax.patches] == [600.0, 0.05] and ax.get_ylim()[0] == 0.01
+
+
+def test_the_open_figures_say_of_how_many_instances_each_mean_may_be():
+    """The campaign "claims" has five instances of 15 targets and three of 20, "reduced" has five of each size."""
+    reduced, longer = (read_table(PUBLISHED.with_name(name)) for name in ("reduced.csv", "claims_runs.csv"))
+    for ax in dict(open_sheets(reduced, longer)).values():
+        assert "limit 60 and 600 s" in _caption(ax.figure) and "; means of 3 and 5 instances. " in _caption(ax.figure)
 
 
 def test_ours_says_how_many_bars_are_missing_and_shows_which(drawn):
