@@ -1,4 +1,5 @@
-"""Routes on a time grid: visits at grid times of their segments, so that a route is a shortest path through layers.
+"""Routes on a time grid: visits at grid times of their segments, so that a route is a shortest path through layers. Where
+a target stands still one point will do, for its flights are as long at any time.
 
 Insertions are priced from the values so far and the values to go at the stops around them. On the grid flights may come
 late by a step or so, or it would not hold all routes; whether a route can be flown is told by its exact times.
@@ -20,43 +21,45 @@ from .reach import fill_reach, make_motion, meet, segments_of
 #: `charge` times the distance that it is short by is added to its length
 Network = namedtuple("Network", "ahead back start near late charge segment motion")
 
+#: Grid points: an agent is at its segment of the graph's first layer, node (P,), from the times `opens` (P,) to `closes`
+#: (P,), which are the same unless the target stands still there; start (n + 1,): where the points of each target begin;
+#: step: the longest time between two of them
+Points = namedtuple("Points", "node opens closes start step")
+
 #: Along each route: so_far and to_go (m, n + 1, widest), values at the grid points behind so many stops, and before the
-#: last so many of them, in row 0 the 0 of the depot and of the end; the least of each row (m, n + 1); and the exact
-#: times early and late (m, n + 1, 3), see `reach.fill_reach`
-Values = namedtuple("Values", "so_far to_go least_so_far least_to_go early late")
+#: last so many of them, in row 0 the 0 of the depot and of the end; the least of each row (m, n + 1); the exact times
+#: early and late (m, n + 1, 3), see `reach.fill_reach`; and how many rows were filled so far (1,)
+Values = namedtuple("Values", "so_far to_go least_so_far least_to_go early late filled")
 
 
 def grid_points(graph, targets, points):
-    """Return (node, time, start, step): about so many points for each target, both ends of each of its segments among
-    them.
-
-    Nodes are those of the graph's first layer. start: (n + 1,) where the points of each target begin; step: the longest
-    time between two points.
-    """
-    nodes, times, start, longest = [], [], [0], 0.0
+    """Return the Points: about so many for each target, both ends of each segment along which it moves among them."""
+    rows, start, longest = [], [0], 0.0
     for u in targets:
         cluster = segments_of(graph, u)
         step = (graph.t_hi[cluster] - graph.t_lo[cluster]).sum() / points
         for i in cluster:
-            duration = graph.t_hi[i] - graph.t_lo[i]
-            grid = np.linspace(graph.t_lo[i], graph.t_hi[i], 1 + math.ceil(duration / step) if duration > 0 else 1)
-            nodes.append(np.full(len(grid), i))
-            times.append(grid)
-        start.append(start[-1] + sum(len(grid) for grid in times[-len(cluster) :]))
-        longest = max(longest, step)
-    return np.concatenate(nodes), np.concatenate(times), np.array(start), longest
+            opens, closes = graph.t_lo[i], graph.t_hi[i]
+            if opens == closes or not graph.v[i].any():
+                rows.append((i, opens, closes))
+                continue
+            rows += [(i, t, t) for t in np.linspace(opens, closes, 1 + math.ceil((closes - opens) / step))]
+            longest = max(longest, step)
+        start.append(len(rows))
+    node, opens, closes = map(np.array, zip(*rows))
+    return Points(node, opens, closes, np.array(start), longest)
 
 
 def make_networks(graph, targets, points, slack, charges):
-    """Return for each of the charges the Network of the targets; points: see `grid_points`; slack: by how many steps a
-    flight may come late."""
-    node, time, start, step = points
-    x, y = (graph.p_lo[node] + (time - graph.t_lo[node])[:, None] * graph.v[node]).T
-    leaving = [[np.r_[x, at_x], np.r_[y, at_y], np.r_[time, 0.0]] for at_x, at_y in graph.p_lo[graph.starts]]
-    arriving = [[np.r_[x, at_x], np.r_[y, at_y], np.r_[time, graph.horizon]] for at_x, at_y in graph.p_lo[graph.ends]]
+    """Return for each of the charges the Network of the targets; points: Points; slack: by how many steps a flight may
+    come late."""
+    node, opens, closes, start, step = points
+    x, y = (graph.p_lo[node] + (opens - graph.t_lo[node])[:, None] * graph.v[node]).T
+    leaving = [[np.r_[x, at_x], np.r_[y, at_y], np.r_[opens, 0.0]] for at_x, at_y in graph.p_lo[graph.starts]]
+    arriving = [[np.r_[x, at_x], np.r_[y, at_y], np.r_[closes, graph.horizon]] for at_x, at_y in graph.p_lo[graph.ends]]
     ahead = np.stack([leaving, arriving], axis=1)
     back = np.ascontiguousarray(ahead[:, ::-1]) * np.array([1.0, 1.0, -1.0])[:, None]
-    start, segment = np.r_[start, len(time) + 1], np.cumsum(np.diff(node, prepend=-1) != 0) - 1
+    start, segment = np.r_[start, len(node) + 1], np.cumsum(np.diff(node, prepend=-1) != 0) - 1
     late, motion = slack * step + TIME_SLACK * graph.horizon, make_motion(graph, targets)
     near = [_nearest(ahead, start, graph.speeds, late, charge) for charge in charges]
     return [Network(ahead, back, start, near, late, charge, segment, motion) for charge, near in zip(charges, near)]
@@ -128,6 +131,7 @@ def evaluate(k, layer, route, length, network, values, ahead, behind):
         network.start, values.so_far[k], values.to_go[k], network.ahead[layer], network.back[layer]
     )  # fmt: skip
     speed, late, charge = network.motion.speed[layer], network.late, network.charge
+    values.filled[0] += 2 * length - ahead - behind
     for i in range(ahead, length):
         values.least_so_far[k, i + 1] = min_plus(
             so_far, i, stop(route, length, i - 1), route[i], start, forth, speed, late, charge, so_far, i + 1

@@ -21,7 +21,10 @@ Ruins = namedtuple("Ruins", "removed string radial shuffled ranks blink heat")
 
 
 class Annealing:
-    """Ruin and recreate by simulated annealing, from nothing or on from where it stands. Deterministic for a seed."""
+    """Ruin and recreate by simulated annealing, from nothing or on from where it stands. Deterministic for a seed.
+
+    filled: rows of values on the time grid so far, nearly all of its work.
+    """
 
     def __init__(self, graph, targets, fleet, parameters, seed=0):
         p = parameters
@@ -37,12 +40,13 @@ class Annealing:
         self.loads = self.layer, graph.demands[list(targets)], graph.room
         self.first_node = graph.starts[self.layer]
         self.routes, self.length = np.zeros((self.m, self.n), np.int64), np.zeros(self.m, np.int64)
+        self.filled = 0
 
     def run(self, iterations, warm, cool):
         """Anneal on, from heat `warm` to `cool` (1 to 0); return routes (tuples of segments) that serve all targets
         and can be flown, or None while there are none."""
         self.seed += 1
-        self.routes, self.length, length, segments = ruin_and_recreate(
+        self.routes, self.length, length, segments, filled = ruin_and_recreate(
             self.networks[self.seed % len(self.networks)],
             self.order,
             *self.loads,
@@ -55,6 +59,7 @@ class Annealing:
             cool,
             self.seed,
         )
+        self.filled += filled
         if length.sum() < self.n:
             return None
         nodes = self.nodes[segments] + self.first_node[:, None]
@@ -69,7 +74,7 @@ def _place(w, routes, length, cost, network, values, layer, demand, room, blink,
     """
     places, bound = _places(w, routes, length, cost, network.near, values, layer, demand, room, blink)
     ahead, back, start, near, tardy, charge, _, (first, segments, _, speeds, slack) = network
-    so_far, to_go, _, least_to_go, early, late = values
+    so_far, to_go, _, least_to_go, early, late, filled = values
     best, best_k, best_i = np.inf, -1, -1
     while len(bound):
         place = np.argmin(bound)
@@ -80,9 +85,11 @@ def _place(w, routes, length, cost, network, values, layer, demand, room, blink,
         before, behind = stop(routes[k], length[k], i - 1), stop(routes[k], length[k], i)
         if not fits(w, behind, early[k, i], slack - late[k, rest, 2], first, segments[of], speed):
             continue
+        filled[0] += 1
         arrived = min_plus(so_far[k], i, before, w, start, ahead[of], speed, tardy, charge, arrive, 0)
         if arrived + near[of, w, behind] + least_to_go[k, rest] >= cutoff:
             continue
+        filled[0] += 1
         min_plus(to_go[k], rest, behind, w, start, back[of], speed, tardy, charge, leave, 0)
         total = least_sum(arrive, 0, leave, 0, start[w + 1] - start[w])
         if total < cutoff:
@@ -224,7 +231,8 @@ def _no_plan(m, n, widest):
     """Return a Plan of routes that are like no others."""
     rows, least, times = (m, n + 1, widest), (m, n + 1), (m, n + 1, 3)
     values = Values(
-        np.zeros(rows), np.zeros(rows), np.zeros(least), np.zeros(least), np.zeros(times), np.zeros(times)
+        np.zeros(rows), np.zeros(rows), np.zeros(least), np.zeros(least), np.zeros(times), np.zeros(times),
+        np.zeros(1, np.int64),
     )  # fmt: skip
     return Plan(np.zeros((m, n), np.int64), np.full(m, -1), np.zeros(m), values)
 
@@ -244,7 +252,7 @@ def _alike(route, length, other, other_length):
 def _take(plan, other):
     """Make the routes of the other Plan those of `plan`, with their values."""
     m = len(plan.length)
-    so_far, to_go, least_so_far, least_to_go, early, late = plan.values
+    so_far, to_go, least_so_far, least_to_go, early, late, _ = plan.values
     for k in range(m):
         length = plan.length[k]
         ahead, _ = _alike(plan.routes[k], length, other.routes[k], other.length[k])
@@ -265,8 +273,9 @@ def _take(plan, other):
 def ruin_and_recreate(
     network, order, layer, demand, room, routes, length, penalty, ruins, iterations, warm, cool, seed
 ):  # fmt: skip
-    """Return (routes (m, n), length (m,), best_length (m,), segments (m, n)): where annealing from the given routes
-    ends, and the lengths and segments of the best routes on the way; `penalty` for each target left out.
+    """Return (routes (m, n), length (m,), best_length (m,), segments (m, n), filled): where annealing from the given
+    routes ends, the lengths and segments of the best routes on the way, and how many rows of values it filled;
+    `penalty` for each target left out.
 
     network: see `grid`; order: see `_closeness`; room: of each layer; layer: (m,) of each route, in
     order; demand: (n,).
@@ -306,4 +315,4 @@ def ruin_and_recreate(
     for k in range(m):
         evaluate(k, layer[k], best_routes[k], best_length[k], network, values, np.int64(0), np.int64(0))
         trace(k, layer[k], best_routes[k], best_length[k], network, values, segments[k])
-    return routes, length, best_length, segments
+    return routes, length, best_length, segments, values.filled[0]

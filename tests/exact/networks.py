@@ -1,11 +1,12 @@
 """Small networks of pieces with random prices, and all real routes through them, for tests of the bounds."""
 
+import dataclasses
 import itertools
 import math
 
 import numpy as np
 
-from mamttsp import Agents, build_graph, generate
+from mamttsp import Agents, Target, build_graph, generate
 from mamttsp.exact.cuts import Cuts
 from mamttsp.exact.evaluation import first_network
 from mamttsp.exact.fleet import Fleet
@@ -19,14 +20,20 @@ def small(seed, n=4, window=40):
     return build_graph(generate(n, window, seed=seed))
 
 
-def unlike(seed, n=4, window=40):
-    """Return the graph of a generated instance with two types of agents, their capacities too small for all demands."""
+def unlike(seed, n=4, window=40, still=()):
+    """Return the graph of a generated instance with two types of agents, their capacities too small for all demands;
+    still: targets that do not move."""
     rng = np.random.default_rng(seed)
     demands = rng.uniform(1, 2, n)
     depots = rng.uniform(-40, 40, (3, 2))
     one = Agents(1, depots[0], rng.uniform(3, 5), capacity=demands.sum() * rng.uniform(0.6, 0.9))
     others = Agents(2, depots[1], rng.uniform(3, 6), end=depots[2], capacity=demands.sum() * rng.uniform(0.5, 0.9))
-    return build_graph(generate(n, window, seed=seed, agents=[one, others], demands=demands))
+    instance = generate(n, window, seed=seed, agents=[one, others], demands=demands)
+    targets = list(instance.targets)
+    for u in still:
+        places = np.repeat(targets[u].points[:1], len(targets[u].points), axis=0)
+        targets[u] = Target(targets[u].times, places, targets[u].windows)
+    return build_graph(dataclasses.replace(instance, targets=targets))
 
 
 def alike(n_agents):

@@ -16,24 +16,25 @@ SEEDS = range(6)
 
 
 def _grid(seed, slack=1.0, charge=0.5):
-    """Return (graph, Network, node, time, start, step) of an instance with two types of agents."""
-    graph = unlike(seed, n=5, window=60)
+    """Return (graph, Network, Points) of an instance with two types of agents, where one target stands still."""
+    graph = unlike(seed, n=5, window=60, still=[seed % 5])
     points = grid_points(graph, range(5), 6)
-    return graph, make_networks(graph, range(5), points, slack, [charge])[0], *points
+    return graph, make_networks(graph, range(5), points, slack, [charge])[0], points
 
 
 def _flight(graph, network, k, here, there):
-    """Return what it costs an agent of layer k to fly from (place, time) to (place, time)."""
-    (place, time), (other, later) = here, there
+    """Return what it costs an agent of layer k to fly from one point to another, each (place, first, last time)."""
+    (place, time, _), (other, _, later) = here, there
     speed, distance = graph.speeds[k], math.dist(place, other)
     short = max(distance - speed * (later - time), 0.0)
     return distance + network.charge * short if short <= speed * network.late else math.inf
 
 
-def _stops(graph, k, node, time):
-    """Return (place, time) of all points, of the depot and of the end of a layer."""
-    points = [(graph.position(i, t), t) for i, t in zip(node, time)]
-    return points, (graph.p_lo[graph.starts[k]], 0.0), (graph.p_lo[graph.ends[k]], graph.horizon)
+def _stops(graph, k, points):
+    """Return (place, first time, last time) of all Points, of the depot and of the end of a layer."""
+    within = [(graph.position(i, t), t, later) for i, t, later in zip(points.node, points.opens, points.closes)]
+    depot, end = graph.p_lo[graph.starts[k]], graph.p_lo[graph.ends[k]]
+    return within, (depot, 0.0, 0.0), (end, graph.horizon, graph.horizon)
 
 
 def _flights(network, k, ways, here, there):
@@ -52,7 +53,7 @@ def _room(m, n, start):
     widest = int(np.diff(start).max())
     rows, least = np.full((2, m, n + 1, widest), -1e6), np.full((2, m, n + 1), -1e6)
     rows[:, :, 0, 0], least[:, :, 0] = 0.0, 0.0
-    return Values(*rows, *least, *np.full((2, m, n + 1, 3), -1e6)), *np.full((2, 1, widest), -1e6)
+    return Values(*rows, *least, *np.full((2, m, n + 1, 3), -1e6), np.zeros(1, np.int64)), *np.full((2, 1, widest), -1e6)
 
 
 def _some_routes(rng, n):
@@ -66,16 +67,16 @@ def _flyable(graph, layer, route):
     return any(earliest_times(graph, segments) is not None for segments in itertools.product(*clusters))
 
 
-def _shortest(graph, layer, route, network, node, time):
+def _shortest(graph, layer, route, network, points):
     """Return the least length of a path through points of a route's targets, one after the other, infinite if it cannot
     be flown at any times."""
     if not _flyable(graph, layer, route):
         return math.inf
-    points, depot, end = _stops(graph, layer, node, time)
+    within, depot, end = _stops(graph, layer, points)
     lengths = [(0.0, depot)]
     for u in route:
-        own = [g for g, i in enumerate(node) if graph.tau[i] == u]
-        lengths = [(_least(graph, network, layer, lengths, points[g]), points[g]) for g in own]
+        own = [g for g, i in enumerate(points.node) if graph.tau[i] == u]
+        lengths = [(_least(graph, network, layer, lengths, within[g]), within[g]) for g in own]
     return _least(graph, network, layer, lengths, end)
 
 
@@ -85,25 +86,29 @@ def _least(graph, network, layer, lengths, there):
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_points_lie_on_all_segments_of_the_first_layer_ends_included(seed):
-    graph, _, node, time, start, step = _grid(seed)
+    graph, _, (node, opens, closes, start, step) = _grid(seed)
     for u in range(5):
         own = range(start[u], start[u + 1])
         assert {int(node[g]) for g in own} == {int(i) for i in graph.C(u) if graph.layer[i] == 0}
         for i in {node[g] for g in own}:
-            times = [time[g] for g in own if node[g] == i]
-            assert times[0] == graph.t_lo[i] and times[-1] == graph.t_hi[i]
-            assert all(0 < later - sooner <= step * (1 + 1e-9) for sooner, later in itertools.pairwise(times))
+            times = [(opens[g], closes[g]) for g in own if node[g] == i]
+            assert times[0][0] == graph.t_lo[i] and times[-1][1] == graph.t_hi[i]
+            if not graph.v[i].any():
+                assert len(times) == 1
+                continue
+            assert all(sooner == later for sooner, later in times)
+            assert all(0 < t - s <= step * (1 + 1e-9) for (s, _), (t, _) in itertools.pairwise(times))
 
 
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("slack, charge", [(0.0, 0.0), (0.5, 0.0), (1.0, 0.7)])
 def test_flights_are_distances_and_what_is_charged_where_time_is_short(seed, slack, charge):
-    graph, network, node, time, start, step = _grid(seed, slack, charge)
-    assert network.late == slack * step + TIME_SLACK * graph.horizon and network.charge == charge
-    assert network.start.tolist() == [*start, len(node) + 1]
+    graph, network, points = _grid(seed, slack, charge)
+    assert network.late == slack * points.step + TIME_SLACK * graph.horizon and network.charge == charge
+    assert network.start.tolist() == [*points.start, len(points.node) + 1]
     for k in range(graph.n_layers):
-        points, depot, end = _stops(graph, k, node, time)
-        tails, heads = [*points, depot], [*points, end]
+        within, depot, end = _stops(graph, k, points)
+        tails, heads = [*within, depot], [*within, end]
         for u, w in itertools.permutations(range(6), 2):  # with the depot and the end
             here, there = (range(network.start[v], network.start[v + 1]) for v in (u, w))
             expected = [[_flight(graph, network, k, tails[g], heads[h]) for h in there] for g in here]
@@ -115,13 +120,13 @@ def test_flights_are_distances_and_what_is_charged_where_time_is_short(seed, sla
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_route_costs_its_shortest_path_and_its_segments_can_be_flown(seed):
     rng = np.random.default_rng(seed)
-    graph, network, node, time, start, _ = _grid(seed)
-    values, *_ = _room(1, 5, start)
+    graph, network, points = _grid(seed)
+    values, *_ = _room(1, 5, points.start)
     segments, found = np.zeros(5, np.int64), 0
     of_first_layer = [i for u in range(5) for i in graph.C(u) if graph.layer[i] == 0]
     for k, (row, length) in itertools.product(range(graph.n_layers), _some_routes(rng, 5)):
         route = row[:length]
-        expected = _shortest(graph, k, route, network, node, time)
+        expected = _shortest(graph, k, route, network, points)
         assert evaluate(0, k, row, length, network, values, 0, 0) == pytest.approx(expected)
         if math.isfinite(expected):
             trace(0, k, row, length, network, values, segments)
@@ -134,15 +139,15 @@ def test_a_route_costs_its_shortest_path_and_its_segments_can_be_flown(seed):
 @pytest.mark.parametrize("seed", SEEDS)
 def test_what_holds_already_is_not_filled_in_anew(seed):
     rng = np.random.default_rng(seed)
-    graph, network, node, time, start, _ = _grid(seed)
+    graph, network, points = _grid(seed)
     for k, (row, length) in itertools.product(range(graph.n_layers), _some_routes(rng, 5)):
-        values, i = _room(1, 5, start)[0], int(rng.integers(length))
+        values, i = _room(1, 5, points.start)[0], int(rng.integers(length))
         without = np.append(np.delete(row, i), row[i])
         if math.isinf(evaluate(0, k, without, length - 1, network, values, 0, 0)):
             continue
         ahead, behind = _alike(row, length, without, length - 1)
         assert (ahead, behind) == (i, length - 1 - i)
-        expected = _shortest(graph, k, row[:length], network, node, time)
+        expected = _shortest(graph, k, row[:length], network, points)
         assert evaluate(0, k, row, length, network, values, ahead, behind) == pytest.approx(expected)
 
 
@@ -156,8 +161,8 @@ def test_routes_alike_at_both_ends_share_no_stop_twice():
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_plan_is_taken_with_all_that_later_insertions_read(seed):
     rng = np.random.default_rng(seed)
-    graph, network, node, time, start, _ = _grid(seed)
-    plan, kept = (_no_plan(2, 5, int(np.diff(start).max())) for _ in range(2))
+    graph, network, points = _grid(seed)
+    plan, kept = (_no_plan(2, 5, int(np.diff(points.start).max())) for _ in range(2))
     for row, length in _some_routes(rng, 5):
         for k in range(2):
             plan.routes[k], plan.length[k] = row, (length, 0)[k]
@@ -165,7 +170,7 @@ def test_a_plan_is_taken_with_all_that_later_insertions_read(seed):
         _take(plan, kept)
         assert kept.length.tolist() == plan.length.tolist() and kept.cost.tolist() == plan.cost.tolist()
         assert kept.routes[0, :length].tolist() == row[:length].tolist()
-        for of, other in zip(plan.values, kept.values):
+        for of, other in zip(plan.values[:-1], kept.values[:-1]):
             assert of[0, : length + 1].tolist() == other[0, : length + 1].tolist()
             assert of[1, 0].tolist() == other[1, 0].tolist()
 
@@ -173,20 +178,20 @@ def test_a_plan_is_taken_with_all_that_later_insertions_read(seed):
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_target_is_placed_where_that_makes_its_route_least_longer(seed):
     rng = np.random.default_rng(seed)
-    graph, network, node, time, start, _ = _grid(seed)
+    graph, network, points = _grid(seed)
     layer, room, placed = np.arange(2), graph.room, 0
     for _ in range(10):
         dealt, cut, w = rng.permutation(5), int(rng.integers(5)), 0
         rows = [[u for u in dealt[:cut] if u != w], [u for u in dealt[cut:] if u != w]]
         routes, length = np.full((2, 5), w), np.array([len(row) for row in rows])
-        values, arrive, leave = _room(2, 5, start)
+        values, arrive, leave = _room(2, 5, points.start)
         for k, row in enumerate(rows):
             routes[k, : len(row)] = row
         cost = np.array([evaluate(k, k, routes[k], length[k], network, values, 0, 0) for k in layer])
         if not np.isfinite(cost).all():
             continue
         longer = {
-            (k, i): _shortest(graph, k, [*row[:i], w, *row[i:]], network, node, time) - cost[k]
+            (k, i): _shortest(graph, k, [*row[:i], w, *row[i:]], network, points) - cost[k]
             for k, row in enumerate(rows)
             for i in range(len(row) + 1)
             if graph.demands[[w, *row]].sum() <= room[k]
