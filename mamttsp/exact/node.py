@@ -123,7 +123,7 @@ class Node:
         if self.over():
             return None
         if most_entries is not None:
-            return self.enumerate() if self.first and self.alone else None
+            return self.enumerate(self.parameters.early_work) if self.first and self.alone else None
         self.time_columns()
         network = generation.best.eliminated(self.limit, generation.tolerance)
         generation.narrowed(network)
@@ -164,16 +164,16 @@ class Node:
         generation.add_cuts(rows, memory)
         return True
 
-    def enumerate(self):
+    def enumerate(self, work=1.0):
         """Enumerate all routes of solutions within the limit; return them, or None if there is no room for all labels,
-        or there was none and the gap has hardly shrunk since."""
+        or there was none and the gap has hardly shrunk since; work: see `competing`."""
         p, alone = self.parameters, self.alone
         if self.clock.out() or self.limit - self.priced > p.narrower * self.enumerated_at:
             return None
         self.enumerated_at = self.limit - self.priced
         evaluations = self.generation.evaluations(p.prices if alone else 0, self.clock)
         self.raise_priced(evaluations[0].bound)
-        if (found := self.competing(evaluations, self.limit)) is None:
+        if (found := self.competing(evaluations, self.limit, work)) is None:
             self.search.report("labels")
             self.search.search_more_tours(self.generation.work)
             self.look_lower(evaluations)

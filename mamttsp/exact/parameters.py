@@ -36,15 +36,16 @@ class Parameters:
     pieces_each: int = 8
     #: and of all together, at most
     first_pieces: int = 500
-    #: looks of ruin and recreate, for each target, and the share of the time left that they may take; iterations of
-    #: one, for each target, and at most: the tours of each look are timed, and all routes are chosen among
+    #: looks of ruin and recreate, for each target, of a start from nothing, or some times as many, and the share of the
+    #: time left that one may take; iterations of a look, for each target, and at most: the tours of each look are timed,
+    #: and all routes are chosen among
     annealing: float = 2.5
     annealing_most: float = 0.25
     annealing_step: int = 5
     annealing_longest: int = 100
-    #: while the gap is wide, or an enumeration did not fit, as many iterations in all, times targets and agents, for
-    #: each extension of an entry that prices take
-    annealing_share: float = 0.005
+    #: while the gap is wide, or an enumeration did not fit, so many rows of values on the time grid in all, for each
+    #: extension of an entry that prices take: about a fifth of the time
+    annealing_share: float = 0.02
     #: its time grid: points for each target; by how many steps a flight may come late on it, and what is charged for
     #: the distance that it is short by, in turn: where charges are low routes look shorter than they are, where they
     #: are high some look longer
@@ -80,6 +81,8 @@ class Parameters:
     enumeration: float = 0.3
     enumeration_alone: float = 4.5
     least_extensions: int = 10_000
+    #: for one agent, the share of this work for an enumeration while prices still move with few entries
+    early_work: float = 0.25
     #: labels, at most, with several agents and with one, for whom fewer links lead to each: then two arcs take the
     #: place of a label
     most_labels: int = 8_000_000

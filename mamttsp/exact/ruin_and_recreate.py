@@ -39,8 +39,12 @@ class Annealing:
         self.layer = np.repeat(np.arange(len(fleet.counts)), fleet.counts)
         self.loads = self.layer, graph.demands[list(targets)], graph.room
         self.first_node = graph.starts[self.layer]
-        self.routes, self.length = np.zeros((self.m, self.n), np.int64), np.zeros(self.m, np.int64)
         self.filled = 0
+        self.begin()
+
+    def begin(self):
+        """Begin from nothing."""
+        self.routes, self.length = np.zeros((self.m, self.n), np.int64), np.zeros(self.m, np.int64)
 
     def run(self, iterations, warm, cool):
         """Anneal on, from heat `warm` to `cool` (1 to 0); return routes (tuples of segments) that serve all targets

@@ -14,19 +14,25 @@ from .pieces import even_cuts
 from .standing import Standing
 
 
+def luby(k):
+    """Return how long the k-th start of a search may take, k = 1, 2, ...: 1, 1, 2, 1, 1, 2, 4, 1, ... (Luby, Sinclair
+    and Zuckerman 1993), hardly worse than any other choice where nobody knows how long a good start takes."""
+    whole = 1 << k.bit_length() - 1
+    return whole if k + 1 == 2 * whole else luby(k + 1 - whole)
+
+
 class Search:
     """A run of the exact solver for the targets of a graph; what it has found and proved is in `standing`.
 
     annealing: looks for tours before each round; start: routes of segments to begin with, or none. nodes: the open
-    ones, which hold every solution below the limit; labels: made by enumerations; iterations: of ruin and recreate;
-    choosing: seconds that choices among known routes took.
+    ones, which hold every solution below the limit; labels: made by enumerations; starts: how often tours were looked for from nothing; choosing: seconds that choices among known routes took.
     """
 
     def __init__(self, graph, fleet, gap, clock, parameters, annealing, progress=None, start=()):
         self.graph, self.n, self.fleet, self.m = graph, graph.n_targets, fleet, fleet.n_agents
         self.clock, self.parameters, self.progress, self.annealing = clock, parameters, progress, annealing
         self.standing, self.unit, self.nodes = Standing(graph, fleet, gap), graph.size or 1.0, []
-        self.labels, self.columns, self.iterations, self.choosing = 0, 0, 0, 0.0
+        self.labels, self.columns, self.starts, self.choosing = 0, 0, 0, 0.0
         if start:
             self.incumbent.offer(start)
 
@@ -54,7 +60,7 @@ class Search:
 
     def run(self):
         """Run until the gap is closed, infeasibility is proved, time is up, or nothing is left that could help."""
-        self.search_tours(self.n * self.parameters.annealing)
+        self.search_tours()
         self.nodes = [self.root()]
         while not self.over():
             if not (going := [node for node in self.nodes if not node.exhausted]):
@@ -100,26 +106,23 @@ class Search:
         return pi
 
     def search_more_tours(self, work):
-        """Look for tours again, for at least as long as so far, if that is cheap beside the entries that prices have
-        extended: cooling slowly once finds shorter tours than cooling fast time and again."""
-        iterations = self.parameters.annealing_share * work / (self.n + self.m) - self.iterations
-        if iterations >= self.iterations:
-            self.search_tours(iterations / self.iterations_each)
+        """Look for tours again, if what that takes is cheap beside the entries that prices have extended."""
+        done, more = sum(map(luby, range(1, self.starts + 1))), luby(self.starts + 1)
+        if self.parameters.annealing_share * work >= self.annealing.filled * (1.0 + more / done):
+            self.search_tours()
 
-    @property
-    def iterations_each(self):
-        """Iterations of a look."""
-        return min(self.n * self.parameters.annealing_step, self.parameters.annealing_longest)
-
-    def search_tours(self, looks):
-        """Look for tours by ruin and recreate, so many looks but no longer than a share of the time that is left, then
-        among all their routes."""
-        looks, enough = max(1, round(looks)), (1.0 - self.parameters.annealing_most) * self.clock.seconds
+    def search_tours(self):
+        """Look for tours by ruin and recreate, from nothing, but no longer than a share of the time that is left, then
+        among all routes known."""
+        p = self.parameters
+        self.starts += 1
+        looks, iterations = self.n * p.annealing * luby(self.starts), min(self.n * p.annealing_step, p.annealing_longest)
+        looks, enough = max(1, round(looks)), (1.0 - p.annealing_most) * self.clock.seconds
+        self.annealing.begin()
         for look in range(looks):
             if self.clock.out() or self.clock.seconds < enough:
                 break
-            self.iterations += self.iterations_each
-            if routes := self.annealing.run(self.iterations_each, 1.0 - look / looks, 1.0 - (look + 1) / looks):
+            if routes := self.annealing.run(iterations, 1.0 - look / looks, 1.0 - (look + 1) / looks):
                 self.incumbent.offer(routes)
         self.recombine()
         self.report("heuristic")
