@@ -108,7 +108,7 @@ class Search:
     def search_more_tours(self, work):
         """Look for tours again, if what that takes is cheap beside the entries that prices have extended."""
         done, more = sum(map(luby, range(1, self.starts + 1))), luby(self.starts + 1)
-        if self.parameters.annealing_share * work >= self.annealing.filled * (1.0 + more / done):
+        if (self.parameters.annealing_share * work - self.annealing.filled) * done >= self.annealing.filled * more:
             self.search_tours()
 
     def search_tours(self):
