@@ -43,6 +43,7 @@ VARIED = {
     "piece": (0.2, 0.7),
     "pieces_each": (4, 16),
     "first_pieces": (200, 5000),
+    "crowded_pieces": (500, 5000),
     "annealing": (1.0, 5.0),
     "annealing_share": (0.01, 0.04),
     "grid": (12, 48),

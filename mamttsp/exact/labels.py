@@ -20,7 +20,7 @@ from .sets import add, has, same, to_words
 _EPS = 1e-12
 _FIRST_SIZE = 1 << 12
 #: extensions between two looks at the clock, some tenths of a second
-_AT_ONCE = 2_000_000
+_AT_ONCE = 500_000
 
 
 class Labels(NamedTuple):
@@ -117,13 +117,23 @@ def extend(old, pieces, arcs, completions, most, out):
     new, count, _, heir, _, links, linked = grown
     links = links[:linked]
     keep = np.flatnonzero(heir[:count] < 0)
-    place = np.empty(count, np.int32)
-    place[keep] = np.arange(len(keep))
-    heads = links[:, 1]
-    while (dropped := heir[heads] >= 0).any():
-        heads = np.where(dropped, heir[heads], heads)
-    links[:, 1] = place[heads]
+    _hand_on(links, heir, count)
     return Labels(*(part[keep] for part in new)), links, True
+
+
+@compiled
+def _hand_on(links, heir, count):
+    """Let links to each of `count` labels lead to what dominates it in the end, and count only those that stay."""
+    place, stay = np.empty(count, np.int32), 0
+    for y in range(count):
+        if heir[y] < 0:
+            place[y] = stay
+            stay += 1
+    for y in range(count - 1, -1, -1):  # heirs come later
+        if heir[y] >= 0:
+            place[y] = place[heir[y]]
+    for k in range(len(links)):
+        links[k, 1] = place[links[k, 1]]
 
 
 @compiled

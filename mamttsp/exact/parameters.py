@@ -34,8 +34,10 @@ class Parameters:
     #: length of the first pieces, as a share of the time there is for each target, and pieces of one, at least
     piece: float = 0.35
     pieces_each: int = 8
-    #: and of all together, at most
+    #: and of all together, at most; where more targets than an ng-set holds are open at once, in the mean, routes would
+    #: go round and round between them if pieces were longer than legs
     first_pieces: int = 500
+    crowded_pieces: int = 2000
     #: looks of ruin and recreate, for each target, of a start from nothing, or some times as many, and the share of the
     #: time left that one may take; iterations of a look, for each target, and at most: the tours of each look are timed,
     #: and all routes are chosen among

@@ -89,12 +89,13 @@ class Search:
 
     def first_width(self):
         """Return the length of the first pieces in s: a share of the time there is for each target, or of its windows
-        in the mean if that is less, but no more pieces than a few."""
+        in the mean if that is less, but no more pieces than a few; more if many targets are open at once."""
         graph, p = self.graph, self.parameters
         start, end = graph.t_lo[graph.V_seg], graph.t_hi[graph.V_seg]
-        windows, of_targets = (end - start).sum(), self.n * graph.n_layers
-        width = min(p.piece * (end.max() - start.min()) / self.n, windows / (of_targets * p.pieces_each))
-        return max(width, windows / p.first_pieces, 1e-6 * graph.horizon)
+        windows, time, layers = (end - start).sum(), end.max() - start.min(), graph.n_layers
+        most = p.crowded_pieces if windows > p.ng_size * layers * time else p.first_pieces
+        width = min(p.piece * time / self.n, windows / (self.n * layers * p.pieces_each))
+        return max(width, windows / most, 1e-6 * graph.horizon)
 
     def first_prices(self):
         """Return (n,) half of the legs to and from each target in the incumbent, damped; even prices without one."""
