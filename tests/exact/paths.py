@@ -32,7 +32,7 @@ FORCED = {
     "every gap is small": {"near": 1.0},
     "no gap is small": {"near": 0.0},
     "prices move along arcs to the nearest target": {"few_targets": 1},
-    "one piece for each segment": {"first_pieces": 1},
+    "one piece for each segment": {"first_pieces": 1, "crowded_pieces": 1},
     "one column an evaluation": {"columns": 1, "columns_each": 1},
     "two steps of column generation": {"most_steps": 2},
     "columns are forgotten": {"most_columns": 10},

@@ -104,6 +104,20 @@ def test_the_arcs_of_what_is_left_hold_an_optimal_solution(seed, n_agents):
     assert len(left.arcs.head) < len(network.arcs.head)
 
 
+@pytest.mark.parametrize("seed", range(5))
+def test_links_to_dominated_labels_are_handed_on_to_the_last_heir(seed):
+    rng, count = np.random.default_rng(seed), 200
+    heir = np.array([rng.integers(y + 1, count) if y + 1 < count and rng.random() < 0.8 else -1 for y in range(count)])
+    links = rng.integers(0, count, (500, 2)).astype(np.int32)
+    stay, expected = np.flatnonzero(heir < 0).tolist(), []
+    for x, y in links.tolist():
+        while heir[y] >= 0:
+            y = heir[y]
+        expected.append([x, stay.index(y)])
+    labels._hand_on(links, heir.astype(np.int32), count)
+    assert links.tolist() == expected
+
+
 def test_of_very_many_labels_none_is_lost():
     """More labels of one number of visits than there is room for at first: arrays and the table of chains grow."""
     graph = build_graph(generate(5, 60, seed=2))
