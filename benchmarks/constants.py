@@ -45,7 +45,7 @@ VARIED = {
     "first_pieces": (200, 5000),
     "crowded_pieces": (500, 5000),
     "annealing": (1.0, 5.0),
-    "annealing_share": (0.01, 0.04),
+    "annealing_share": (0.01, 0.1),
     "grid": (12, 48),
     "grid_slack": (0.0, 1.0),
     "grid_charges": ((0.0,), (0.5,), (8.0,), (0.5, 0.0, 2.0, 8.0)),

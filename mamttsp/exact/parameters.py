@@ -46,8 +46,8 @@ class Parameters:
     annealing_step: int = 5
     annealing_longest: int = 100
     #: while the gap is wide, or an enumeration did not fit, so many rows of values on the time grid in all, for each
-    #: extension of an entry that prices take: about a fifth of the time
-    annealing_share: float = 0.02
+    #: extension of an entry that prices take: about a quarter of the time
+    annealing_share: float = 0.03
     #: its time grid: points for each target; by how many steps a flight may come late on it, and what is charged for
     #: the distance that it is short by, in turn: where charges are low routes look shorter than they are, where they
     #: are high some look longer
