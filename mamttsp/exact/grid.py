@@ -1,5 +1,5 @@
-"""Routes on a time grid: visits at grid times of their segments, so that a route is a shortest path through layers. Where
-a target stands still one point will do, for its flights are as long at any time.
+"""Routes on a time grid: visits at grid times of their segments, so that a route is a shortest path through layers.
+Where a target stands still one point will do, for its flights are as long at any time.
 
 Insertions are priced from the values so far and the values to go at the stops around them. On the grid flights may come
 late by a step or so, or it would not hold all routes; whether a route can be flown is told by its exact times.
@@ -21,9 +21,8 @@ from .reach import fill_reach, make_motion, meet, segments_of
 #: `charge` times the distance that it is short by is added to its length
 Network = namedtuple("Network", "ahead back start near late charge segment motion")
 
-#: Grid points: an agent is at its segment of the graph's first layer, node (P,), from the times `opens` (P,) to `closes`
-#: (P,), which are the same unless the target stands still there; start (n + 1,): where the points of each target begin;
-#: step: the longest time between two of them
+#: Grid points: on segments of the graph's first layer, node (P,), from times opens (P,) to closes (P,), the same unless
+#: the target stands still; start (n + 1,): where the points of each target begin; step: the longest time between two
 Points = namedtuple("Points", "node opens closes start step")
 
 #: Along each route: so_far and to_go (m, n + 1, widest), values at the grid points behind so many stops, and before the

@@ -39,8 +39,8 @@ class Parameters:
     first_pieces: int = 500
     crowded_pieces: int = 2000
     #: looks of ruin and recreate, for each target, of a start from nothing, or some times as many, and the share of the
-    #: time left that one may take; iterations of a look, for each target, and at most: the tours of each look are timed,
-    #: and all routes are chosen among
+    #: time left that one may take; iterations of a look, for each target, and at most: the tours of each look are
+    #: timed, and all routes are chosen among
     annealing: float = 2.5
     annealing_most: float = 0.25
     annealing_step: int = 5

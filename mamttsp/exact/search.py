@@ -24,8 +24,9 @@ def luby(k):
 class Search:
     """A run of the exact solver for the targets of a graph; what it has found and proved is in `standing`.
 
-    annealing: looks for tours before each round; start: routes of segments to begin with, or none. nodes: the open
-    ones, which hold every solution below the limit; labels: made by enumerations; starts: how often tours were looked for from nothing; choosing: seconds that choices among known routes took.
+    annealing: looks for tours; start: routes of segments to begin with, or none. nodes: the open ones, which hold every
+    solution below the limit; labels: made by enumerations; starts: how often tours were looked for from nothing;
+    choosing: seconds that choices among known routes took.
     """
 
     def __init__(self, graph, fleet, gap, clock, parameters, annealing, progress=None, start=()):
@@ -117,8 +118,8 @@ class Search:
         among all routes known."""
         p = self.parameters
         self.starts += 1
-        looks, iterations = self.n * p.annealing * luby(self.starts), min(self.n * p.annealing_step, p.annealing_longest)
-        looks, enough = max(1, round(looks)), (1.0 - p.annealing_most) * self.clock.seconds
+        looks, enough = self.n * p.annealing * luby(self.starts), (1.0 - p.annealing_most) * self.clock.seconds
+        looks, iterations = max(1, round(looks)), min(self.n * p.annealing_step, p.annealing_longest)
         self.annealing.begin()
         for look in range(looks):
             if self.clock.out() or self.clock.seconds < enough:

@@ -53,7 +53,8 @@ def _room(m, n, start):
     widest = int(np.diff(start).max())
     rows, least = np.full((2, m, n + 1, widest), -1e6), np.full((2, m, n + 1), -1e6)
     rows[:, :, 0, 0], least[:, :, 0] = 0.0, 0.0
-    return Values(*rows, *least, *np.full((2, m, n + 1, 3), -1e6), np.zeros(1, np.int64)), *np.full((2, 1, widest), -1e6)
+    values = Values(*rows, *least, *np.full((2, m, n + 1, 3), -1e6), np.zeros(1, np.int64))
+    return values, *np.full((2, 1, widest), -1e6)
 
 
 def _some_routes(rng, n):
