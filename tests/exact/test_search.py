@@ -10,8 +10,8 @@ from mamttsp.exact.search import Search, luby
 from mamttsp.options import Watch
 
 
-def _search(n=8, m=2, **changed):
-    graph, own = build_graph(generate(n, 40, m, seed=1)), Parameters(**changed)
+def _search(n=8, window=40, **changed):
+    graph, own = build_graph(generate(n, window, 2, seed=1)), Parameters(**changed)
     fleet = Fleet.of(graph)
     return Search(graph, fleet, 1e-4, Watch(60.0), own, Annealing(graph, range(n), fleet, own))
 
@@ -33,13 +33,11 @@ def test_tours_are_looked_for_anew_once_prices_have_taken_as_much_work():
     assert search.starts == 2
 
 
-@pytest.mark.parametrize("w, most", [(20, 50), (60, 150)])
-def test_there_may_be_more_first_pieces_where_many_targets_are_open_at_once(w, most):
+@pytest.mark.parametrize("window, most", [(20, 50), (60, 150)])
+def test_there_may_be_more_first_pieces_where_many_targets_are_open_at_once(window, most):
     """Of 12 targets 1.6 and 4.8 are open at once, and an ng-set holds four."""
-    graph, own = build_graph(generate(12, w, 2, seed=1)), Parameters(ng_size=4, first_pieces=50, crowded_pieces=150)
-    fleet = Fleet.of(graph)
-    search = Search(graph, fleet, 1e-4, Watch(60.0), own, Annealing(graph, range(12), fleet, own))
-    duration = (graph.t_hi - graph.t_lo)[graph.V_seg].sum()
+    search = _search(n=12, window=window, ng_size=4, first_pieces=50, crowded_pieces=150)
+    duration = (search.graph.t_hi - search.graph.t_lo)[search.graph.V_seg].sum()
     assert search.first_width() == pytest.approx(duration / most)
 
 
